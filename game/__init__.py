@@ -1,0 +1,30 @@
+"""Sandglass: sand as a probabilistic cellular automaton, fast enough to forget about.
+
+A world is a lattice of cells, each empty, sand or wall; a rule says how likely sand is to move; `advance` moves it.
+Nothing here needs a display, so the sand can live in another program or game engine:
+
+    import numpy as np
+    from game import Rule, World, advance
+
+    sand, walls = np.zeros((6, 9), bool), np.zeros((6, 9), bool)
+    sand[0:3, 4] = True                     # a column of three grains
+    walls[5, :] = True                      # over a floor
+    world = World.from_cells(sand, walls, seed=1)
+    advance(world, Rule.with_p(0.75), 40)   # the friction of the paper's third picture
+    for row in np.where(world.walls, "#", np.where(world.sand, "o", ".")):
+        print("".join(row))
+
+World      cells, iteration and seed: `from_cells`, `sand`, `walls`, `grains`, `flip`, `copy`, `digest`.
+Rule       seven probabilities and a schedule; `Rule.with_p(p)` is the paper's one-parameter rule.
+advance    runs iterations of a rule on a world, in place.
+Scene      a world, rule and pace read from a file by `load_scene`, by the name of a shipped scene or by path.
+
+The model is that of Devlin & Schuster, "Probabilistic Cellular Automata for Granular Media in Video Games" (2020).
+"""
+
+from game.world.advance import advance
+from game.world.rule import Rule
+from game.world.scene import Scene, SceneError, load_scene, scene_names
+from game.world.world import World
+
+__all__ = ["Rule", "Scene", "SceneError", "World", "advance", "load_scene", "scene_names"]

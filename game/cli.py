@@ -1,0 +1,110 @@
+"""The command line: play, headless, bench and study."""
+
+import argparse
+import sys
+
+from game.world import knob
+
+COMMANDS = ("headless",)
+
+
+class _Parser(argparse.ArgumentParser):
+    def error(self, message):
+        """Say what is wrong in one line and leave with status 2."""
+        self.exit(2, f"{self.prog}: {message} (--help lists what there is)\n")
+
+
+def main(arguments=None):
+    """Run the command that `arguments` (default: the process's own) name and return the exit status."""
+    arguments = sys.argv[1:] if arguments is None else list(arguments)
+    try:
+        if arguments[:1] == ["headless"]:
+            return _headless(_headless_parser().parse_args(arguments[1:]))
+        return _play(_play_parser().parse_args(arguments))
+    except BrokenPipeError:
+        return 0
+    except KeyboardInterrupt:
+        return 130
+
+
+def _setting(each):
+    """Return an argparse type that reads `each` knob."""
+
+    def parse(text):
+        try:
+            return each.parse(text)
+        except ValueError as error:
+            raise argparse.ArgumentTypeError(str(error)) from None
+
+    return parse
+
+
+def _size(text):
+    """Read 'WIDTHxHEIGHT' in cells."""
+    parts = text.lower().split("x")
+    if len(parts) != 2:
+        raise argparse.ArgumentTypeError(f"size must be WIDTHxHEIGHT in cells, as in 480x270, got {text!r}")
+    return tuple(map(_setting(knob.SIDE), parts))
+
+
+def _scene_options(parser):
+    parser.add_argument("--scene", default="hourglass", metavar="NAME|FILE", help="a shipped scene or a scene file")
+    parser.add_argument(
+        "--p", type=_setting(knob.P), help="probability that grains topple, 0 … 1 (default: the scene's)"
+    )
+    parser.add_argument("--seed", type=_setting(knob.SEED), default=knob.SEED.default, help=knob.SEED.meaning)
+    parser.add_argument("--size", type=_size, metavar="WxH", help="another lattice for the scene, in cells")
+
+
+def _play_parser():
+    parser = _Parser(
+        prog="sandglass",
+        description="Sand that you paint, pour, stop with walls and turn over.",
+        epilog="commands: headless (the same frames without a window, timed); add --help for theirs",
+    )
+    _scene_options(parser)
+    parser.add_argument("--cell", type=_setting(knob.CELL), metavar="PX", help=f"{knob.CELL.meaning}, in pixels")
+    parser.add_argument("--fullscreen", action="store_true", help="start in full screen")
+    parser.add_argument(
+        "--ui-scale", type=_setting(knob.UI_SCALE), default=knob.UI_SCALE.default, help=knob.UI_SCALE.meaning
+    )
+    return parser
+
+
+def _headless_parser():
+    parser = _Parser(prog="sandglass headless", description="Play frames without a window and time them.")
+    _scene_options(parser)
+    parser.add_argument("--frames", type=_setting(knob.FRAMES), default=knob.FRAMES.default, help=knob.FRAMES.meaning)
+    parser.add_argument("--json", action="store_true", help="print one JSON object")
+    return parser
+
+
+def _load(options):
+    """Return the scene the options ask for, or leave with status 2 and one line."""
+    from game.world.scene import SceneError, load_scene
+
+    try:
+        return load_scene(options.scene, options.size)
+    except SceneError as error:
+        print(f"sandglass: {error}", file=sys.stderr)
+        raise SystemExit(2) from None
+
+
+def _headless(options):
+    from game import headless
+
+    report = headless.run(_load(options), options.frames, options.p, options.seed)
+    print(headless.text(report, options.json))
+    return headless.status(report)
+
+
+def _play(options):
+    scene = _load(options)
+    from game.play import loop
+
+    try:
+        return loop.play(scene, options.seed, options.p, options.cell, options.fullscreen, options.ui_scale)
+    except loop.NoDisplayError as error:
+        print(f"sandglass: no display to open a window on ({error}); running headless instead")
+        options.frames, options.json = knob.FRAMES.default, False
+        return _headless(options)

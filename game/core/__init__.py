@@ -1,0 +1,1 @@
+"""Arrays in, arrays out: the automaton's compiled ground floor."""

@@ -1,0 +1,105 @@
+"""Planes to colours: one pass from bits to a window's pixels."""
+
+import numpy as np
+
+from game.core.jit import gate, kernel
+from game.core.planes import BITS, SAND, WALLS
+
+TEXTURE = 64  # side of the texture of shades, in cells; a power of two
+SHADES = 8
+EMPTY, GRAIN, WALL, SURFACE = range(4)  # what a cell looks like: a surface is a grain with nothing on it
+
+_ONE = np.uint64(1)
+_BYTE = np.uint64(8)
+_POINT_BITS = 20  # positions in a turned picture are fixed-point numbers with this many binary places
+_POINT = 1 << _POINT_BITS
+
+
+@gate
+def _looks_of_row(planes, stride, words, y, bits, looks):
+    """Write what the cells of lattice row y look like to `looks`, two neighbours a uint16, padded to whole words.
+
+    bits: (4, words) uint64, room for the two bits of the looks of the even and of the odd columns.
+    """
+    start = (y >> 1) * stride
+    above = start - stride * (1 - (y & 1))
+    for parity in range(2):
+        plane = 2 * (y & 1) + parity
+        low, high = bits[2 * parity], bits[2 * parity + 1]
+        sand = planes[SAND + plane, start : start + words]
+        walls = planes[WALLS + plane, start : start + words]
+        if y > 0:
+            sand_above = planes[SAND + (plane ^ 2), above : above + words]
+            walls_above = planes[WALLS + (plane ^ 2), above : above + words]
+            for word in range(words):
+                high[word] = walls[word] | (sand[word] & ~(sand_above[word] | walls_above[word]))
+        else:
+            high[:] = walls | sand
+        low[:] = sand
+    for bit in range(BITS):
+        shift = np.uint64(bit)
+        first = bit * words
+        for word in range(words):
+            even = ((bits[0, word] >> shift) & _ONE) | (((bits[1, word] >> shift) & _ONE) << _ONE)
+            odd = ((bits[2, word] >> shift) & _ONE) | (((bits[3, word] >> shift) & _ONE) << _ONE)
+            looks[first + word] = np.uint16(even | (odd << _BYTE))
+
+
+@gate
+def _colours_of_row(looks, shades, palette, colours):
+    """Look up the colour of every cell of a row."""
+    for first in range(0, looks.size, TEXTURE):
+        for x in range(TEXTURE):
+            colours[first + x] = palette[looks[first + x] * SHADES + shades[x]]
+
+
+@kernel
+def draw_cells(planes, stride, words, columns, rows, texture, palette, pixels, top, left):
+    """Draw the lattice into `pixels`, an (h, w) uint32 array, in place.
+
+    columns, rows: int32, the lattice column of each pixel column from `left` and the lattice row of each pixel row from
+    `top`. texture: (TEXTURE, TEXTURE) uint8 shades. palette: (4 looks, SHADES) uint32 pixel values.
+    """
+    bits = np.empty((4, words), np.uint64)
+    looks = np.empty(BITS * words, np.uint16)
+    colours = np.empty(2 * BITS * words, np.uint32)
+    flat_palette = palette.ravel()
+    width = len(columns)
+    unscaled = columns[width - 1] - columns[0] == width - 1
+    for i in range(len(rows)):
+        y = rows[i]
+        line = pixels[top + i, left : left + width]
+        if i > 0 and y == rows[i - 1]:
+            line[:] = pixels[top + i - 1, left : left + width]
+            continue
+        _looks_of_row(planes, stride, words, y, bits, looks)
+        _colours_of_row(looks.view(np.uint8), texture[y % TEXTURE], flat_palette, colours)
+        if unscaled:
+            line[:] = colours[columns[0] : columns[0] + width]
+        else:
+            for j in range(width):
+                line[j] = colours[columns[j]]
+
+
+@kernel
+def draw_turned(picture, ground, cosine, sine, pixels, top, left, height, width):
+    """Draw `picture`, turned about its middle, into the middle of a frame of `pixels`; `ground` elsewhere, in place.
+
+    It is shrunk where that is needed to keep all of it inside the frame.
+    """
+    tall, wide = picture.shape
+    zoom = max(
+        1.0,
+        (abs(wide * cosine) + abs(tall * sine)) / width,
+        (abs(tall * cosine) + abs(wide * sine)) / height,
+    )
+    step_x, step_y = np.int64(zoom * cosine * _POINT), np.int64(-zoom * sine * _POINT)
+    for i in range(height):
+        u, v = (0.5 - width / 2) * zoom, (i + 0.5 - height / 2) * zoom
+        x_start = np.int64((u * cosine + v * sine + wide / 2) * _POINT)
+        y_start = np.int64((v * cosine - u * sine + tall / 2) * _POINT)
+        line = pixels[top + i, left : left + width]
+        for j in range(width):
+            x = (x_start + j * step_x) >> _POINT_BITS
+            y = (y_start + j * step_y) >> _POINT_BITS
+            line[j] = picture[y, x] if 0 <= x < wide and 0 <= y < tall else ground

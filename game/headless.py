@@ -1,0 +1,82 @@
+"""The headless run: the frames of the window without a window, timed, with one flip half way."""
+
+import json
+import statistics
+import time
+
+import numpy as np
+
+from game.world import knob
+from game.world.action import Flip, SetRule
+from game.world.picture import Painter, View
+from game.world.prepare import steps
+from game.world.rule import Rule
+from game.world.session import BUDGET_NS, Session
+
+FRAME_NS = 16_666_667  # 60 frames a second
+
+
+def run(scene, frames=knob.FRAMES.default, p=None, seed=0):
+    """Play `frames` frames of `scene` and return the report as a dict.
+
+    frame_ms covers stepping and drawing into an array the size of the scene's window.
+    """
+    session = Session(scene, seed)
+    if p is not None:
+        session.do(SetRule(Rule.with_p(p, session.rule.schedule)))
+    for _, act in steps(session.rule):
+        act()
+    height, width = (side * scene.cell for side in scene.shape)
+    painter = Painter(View.fit(scene.shape, 0, 0, width, height))
+    pixels = np.zeros((height, width), np.uint32)
+    grains = session.world.grains
+    times = [_frame(session, painter, pixels, flip=number == frames // 2) for number in range(frames)]
+    return _report(session, grains, times)
+
+
+def _frame(session, painter, pixels, flip):
+    """Play one frame and return how long it took, in milliseconds."""
+    start = time.perf_counter_ns()
+    if flip:
+        session.do(Flip())
+    session.frame(FRAME_NS)
+    painter.draw(session.world, pixels)
+    return (time.perf_counter_ns() - start) / 1e6
+
+
+def _report(session, grains_start, times):
+    median = statistics.median(times)
+    budget = BUDGET_NS / 1e6
+    return {
+        "scene": session.scene.name,
+        "cells": session.scene.sand.size,
+        "frames": len(times),
+        "iterations": session.world.iteration,
+        "grains_start": grains_start,
+        "grains_end": session.world.grains,
+        "digest": session.world.digest(),
+        "frame_ms": {"median": median, "p99": float(np.percentile(times, 99)), "max": max(times)},
+        "budget_ms": budget,
+        "within_budget": median <= budget,
+    }
+
+
+def status(report):
+    """Return the exit status: 1 if grains were lost or the median frame missed its budget."""
+    return 0 if report["within_budget"] and report["grains_start"] == report["grains_end"] else 1
+
+
+def text(report, as_json=False):
+    """Return the report as one JSON object or as a short table."""
+    if as_json:
+        return json.dumps(report)
+    frame = report["frame_ms"]
+    rows = {
+        "scene": f"{report['scene']}, {report['cells']:,} cells",
+        "run": f"{report['frames']:,} frames, {report['iterations']:,} iterations, one flip",
+        "grains": f"{report['grains_start']:,} at the start, {report['grains_end']:,} at the end",
+        "frame": f"median {frame['median']:.2f} ms, p99 {frame['p99']:.2f} ms, max {frame['max']:.2f} ms",
+        "budget": f"{report['budget_ms']:.0f} ms: {'kept' if report['within_budget'] else 'missed'}",
+        "digest": report["digest"],
+    }
+    return "\n".join(f"{name:<8}{value}" for name, value in rows.items())

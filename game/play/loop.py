@@ -1,0 +1,71 @@
+"""The loop: opens the window, makes the kernels ready behind a splash, and runs frame after frame."""
+
+import threading
+import time
+
+import pygame
+
+from game.play import hud, overlay, panel
+from game.play.toy import Toy
+from game.play.ui.theme import Theme
+from game.play.window import NoDisplayError, Window
+from game.world import prepare
+
+__all__ = ["NoDisplayError", "play"]
+
+FRAMES_PER_SECOND = 60
+MARGIN = 16  # pixels around the sand in a new window
+
+
+def play(scene, seed=0, p=None, cell=None, fullscreen=False, ui_scale=1.0):
+    """Play `scene` in a window until the player quits; raise NoDisplayError if there is none to open one on."""
+    pygame.font.init()
+    theme = Theme(ui_scale)
+    window = Window(_window_size(scene, cell or scene.cell, theme), fullscreen)
+    if not _make_ready(window, theme, prepare.steps(scene.rule)):
+        return 0
+    toy = Toy(window, scene, seed, p, ui_scale)
+    threading.Thread(target=_do_all, args=(prepare.later_steps(scene.rule),), daemon=True).start()
+    run(toy)
+    pygame.quit()
+    return 0
+
+
+def run(toy):
+    """Run frames until the toy stops."""
+    pace = pygame.time.Clock()
+    before = time.perf_counter_ns()
+    while toy.running:
+        now = time.perf_counter_ns()
+        pointer = pygame.mouse.get_pos() if pygame.mouse.get_focused() else None
+        toy.frame(pygame.event.get(), now - before, now / 1e9, pointer)
+        before = now
+        pace.tick(FRAMES_PER_SECOND)
+
+
+def _window_size(scene, cell, theme):
+    height, width = (side * cell + MARGIN for side in scene.shape)
+    return width + theme.px(panel.WIDTH), max(height + theme.px(hud.HEIGHT), theme.px(560))
+
+
+def _make_ready(window, theme, steps):
+    """Do the steps in the background while a splash says which; return whether the player stayed."""
+    done = []
+    worker = threading.Thread(target=_do_all, args=(steps, done), daemon=True)
+    worker.start()
+    while worker.is_alive():
+        if any(event.type == pygame.QUIT for event in pygame.event.get()):
+            return False
+        number = min(len(done), len(steps) - 1)
+        words = f"Compiling {steps[number][0]} … ({number + 1} of {len(steps)}, once on this machine)"
+        overlay.draw_splash(window.surface, theme, words, number / len(steps))
+        window.show()
+        worker.join(1 / 30)
+    return True
+
+
+def _do_all(steps, done=None):
+    for what, act in steps:
+        act()
+        if done is not None:
+            done.append(what)

@@ -1,0 +1,151 @@
+"""The panel: what can be chosen and turned, top to bottom."""
+
+from dataclasses import replace
+
+import pygame
+
+from game.play.tools import TOOLS
+from game.world import knob
+from game.world.action import SetRule
+from game.world.rule import SCHEDULES, Rule
+from game.world.scene import scene_names
+
+PAPER_P = (0.25, 0.5, 0.75, 1.0)  # the four values of the paper
+WIDTH = 300  # pixels at scale 1
+NARROWEST = 200
+
+BLOCKS = {  # what each probability decides: corners a b c d before and after
+    "topple_left": (".o.#", "..o#"),
+    "topple_right": ("o.#.", "..#o"),
+    "fall_pair": ("oo..", "..oo"),
+    "fall_low_left": ("o..#", "..o#"),
+    "fall_low_right": (".o#.", "..#o"),
+    "fall_full_left": ("o#.#", ".#o#"),
+    "fall_full_right": ("#o#.", "#.#o"),
+}
+SCHEDULE_TIP = (
+    "The order in which partitions into blocks take turns. Margolus: two partitions, piles grow one side first. "
+    "Paper: four, grains alternate sides. Balanced: the same four reordered, grains fall evenly and twice as fast."
+)
+
+
+class Panel:
+    """The column of controls, and the few values that only it remembers."""
+
+    def __init__(self, ui):
+        self.ui = ui
+        self.all_seven = False  # whether the fold with all probabilities is open
+        self._rule = None  # the rule that _p and _bias stand for
+        self._p = self._bias = 0.0
+        self._scenes = scene_names()
+
+    def lay_out(self, rect, events, now_s, mouse_pos, toy):
+        """Show the controls, obey what was done to them, and return the events that the panel leaves to others."""
+        rest = self.ui.begin(rect, events, now_s, mouse_pos)
+        self._scene(toy)
+        self._friction(toy)
+        self._time(toy)
+        self._brush(toy)
+        self._window(toy)
+        return rest
+
+    def _scene(self, toy):
+        ui, scene = self.ui, toy.session.scene
+        names = self._scenes if scene.name in self._scenes else (*self._scenes, scene.name)
+        titles = [toy.title_of(name) for name in names]
+        now = names.index(scene.name)
+        chosen = ui.choice("Scene", titles, now, tip="Another world to start from")
+        if chosen != now:
+            toy.load(names[chosen])
+        if scene.notice:
+            ui.text(scene.notice, dim=True)
+
+    def _friction(self, toy):
+        ui, rule, scene = self.ui, toy.session.rule, toy.session.scene
+        ui.heading("Friction")
+        if rule is not self._rule:
+            self._rule, self._p, self._bias = rule, rule.p, rule.bias
+        tip = "How readily grains topple. Less is more friction: tall, thin piles."
+        p = ui.slider("p", knob.P, self._p, default=scene.rule.p, marks=PAPER_P, tip=tip)
+        tip = "Leans the toppling: below 0 to the left, above 0 to the right."
+        bias = ui.slider("Bias", knob.BIAS, self._bias, default=scene.rule.bias, marks=(0.0,), tip=tip)
+        names = list(SCHEDULES)
+        now = names.index(rule.schedule)
+        schedule = names[ui.choice("Schedule", [name.capitalize() for name in names], now, tip=SCHEDULE_TIP)]
+        changed = rule
+        if (p, bias) != (self._p, self._bias):
+            topples = Rule.with_p(p, bias=bias)
+            changed = replace(rule, topple_left=topples.topple_left, topple_right=topples.topple_right)
+            self._p, self._bias = p, bias
+            self._rule = changed
+        if schedule != rule.schedule:
+            changed = self._rule = replace(changed, schedule=schedule)
+        changed = self._seven(changed, scene.rule)
+        if changed is not rule:
+            toy.do(SetRule(changed))
+
+    def _seven(self, rule, scene_rule):
+        self.all_seven = self.ui.fold("All seven probabilities", self.all_seven)
+        if not self.all_seven:
+            return rule
+        for each in knob.PROBABILITIES:
+            before, after = BLOCKS[each.name]
+            words = each.name.replace("_", " ").capitalize()
+            value = getattr(rule, each.name)
+            tip = f"How often {each.meaning}."
+            turned = self.ui.slider_with_picture(
+                words, each, value, before, after, default=getattr(scene_rule, each.name), tip=tip
+            )
+            if turned != value:
+                rule = replace(rule, **{each.name: turned})
+        return rule
+
+    def _time(self, toy):
+        ui, session = self.ui, toy.session
+        ui.heading("Time")
+        tip = "Iterations per second"
+        session.clock.speed = ui.slider(
+            "Speed", knob.SPEED, session.clock.speed, default=session.scene.speed, log=True, tip=tip
+        )
+        ui.row(2)
+        if ui.button("Go on" if session.paused else "Pause", key="Space", name="Pause", tip="Holds time"):
+            toy.pause()
+        if ui.button("Step", key=".", tip="One iteration"):
+            toy.step()
+        ui.row(2)
+        if ui.button("Flip", key="F", tip="Turns the glass over"):
+            toy.flip()
+        if ui.button("Restart", key="R", tip="Starts the scene again"):
+            toy.restart()
+
+    def _brush(self, toy):
+        ui, brush = self.ui, toy.brush
+        ui.heading("Brush")
+        labels = tuple(tool.capitalize() for tool in TOOLS)
+        tip = "What the left button paints; the right one erases"
+        brush.material = TOOLS[ui.segmented("Tool", labels, TOOLS.index(brush.material), tip=tip)]
+        brush.diameter = ui.slider("Size", knob.BRUSH, brush.diameter, log=True, tip="Width of the brush, in cells")
+        tip = "Lets sand replace walls; without it they stay"
+        brush.over_walls = ui.toggle("Paint sand over walls", brush.over_walls, tip=tip)
+        if ui.button("Clear the sand", key="C", tip="Takes all sand away and leaves the walls"):
+            toy.clear()
+
+    def _window(self, toy):
+        ui = self.ui
+        ui.heading("Window")
+        ui.row(2)
+        if ui.button("Full screen", key="F11", tip="Fills the screen, or goes back to the window"):
+            toy.toggle_fullscreen()
+        if ui.button("Keys", key="F1", tip="Every key on one page"):
+            toy.toggle_help()
+
+
+def width(theme, window_width):
+    """Return the panel's width in pixels in a window that wide: most of the window stays with the sand."""
+    return min(max(min(theme.px(WIDTH), round(window_width * 0.45)), theme.px(NARROWEST)), window_width * 4 // 5)
+
+
+def area(theme, window_size):
+    """Return the panel's rect in a window of that size."""
+    wide = width(theme, window_size[0])
+    return pygame.Rect(window_size[0] - wide, 0, wide, window_size[1])

@@ -1,0 +1,31 @@
+"""What a person can do to a control, and what a control listens to."""
+
+from typing import NamedTuple
+
+import pygame
+
+ENTER = pygame.K_RETURN  # the keypad's Enter is told as this one
+
+
+class Slot(NamedTuple):
+    """Where a control lies and what it listens to."""
+
+    rect: pygame.Rect
+    ring: pygame.Rect  # of the focus ring
+    parts: tuple = ()  # rects inside it that can be told apart: a slider's track, a choice's segments
+    keys: frozenset = frozenset()
+    tip: str = ""
+    live: bool = True
+
+
+class Act(NamedTuple):
+    """One thing that a person did to a control."""
+
+    kind: str  # press, drag, release, key or wheel
+    pos: tuple = (0, 0)
+    part: int | None = None  # the part under the press that this press, drag or release belongs to
+    again: bool = False  # that press was the second of a double press
+    key: int = 0
+    shift: bool = False
+    text: str = ""
+    notches: float = 0.0  # of the wheel, up is positive

@@ -1,0 +1,130 @@
+"""The slider: label, track with a round handle, value; and its kin with a picture of what a block does."""
+
+import pygame
+
+from game.play.ui import paint
+from game.play.ui import theme as look
+from game.play.ui.controls import ROW
+from game.play.ui.dial import Dial
+
+HANDLE = 7  # radius at scale 1
+TALL_ROW = 40  # a slider in two lines: words above, track below
+VALUE_WIDTH = 46
+CELL = 11  # of a picture
+NARROW = 230  # a column narrower than this has no room for words and track in one line
+
+STEP_KEYS = {
+    pygame.K_LEFT: -1,
+    pygame.K_DOWN: -1,
+    pygame.K_RIGHT: 1,
+    pygame.K_UP: 1,
+    pygame.K_PAGEDOWN: -10,
+    pygame.K_PAGEUP: 10,
+}
+RESET_KEYS = frozenset({pygame.K_DELETE, pygame.K_BACKSPACE})
+SLIDER_KEYS = RESET_KEYS | {pygame.K_HOME, pygame.K_END} | set(STEP_KEYS)
+
+
+def slider(ui, label, knob, value, default=None, marks=(), log=False, step=None, tip=None, name=None, picture=None):
+    """Show a slider for a knob; return its value, as it came unless the person moved it.
+
+    default: what a double click or Delete brings back; the knob's own if None. tip: the knob's meaning if None.
+    log: equal ratios instead of equal differences. step: see Dial. picture: see slider_with_picture.
+    """
+    dial = Dial(knob, log, step)
+    row, words, track, number = _lay_out(ui, picture)
+    top = words.bottom if words.bottom < row.bottom else row.y
+    zone = pygame.Rect(track.x, top, track.width, row.bottom - top).inflate(2 * ui.theme.px(HANDLE), 0)
+    me = ui.claim(name or label, ui.bleed(row), parts=(zone,), keys=SLIDER_KEYS, tip=_tip(knob) if tip is None else tip)
+    for act in me.acts:
+        value = _moved(dial, value, act, track, knob.default if default is None else default)
+    ui.stroke(paint.words, words, label, look.BODY, look.TEXT, 0)
+    ui.stroke(paint.words, number, dial.spell(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
+    if picture:
+        _draw_picture(ui, row, picture)
+    _draw_track(ui, track, dial, value, marks, me)
+    return value
+
+
+def slider_with_picture(ui, label, knob, value, before, after, **how):
+    """Show a slider beside a 2×2 block before and after: corners a b c d as 'o' sand, '#' occupied, '.' empty."""
+    return slider(ui, label, knob, value, picture=(before, after), **how)
+
+
+def _tip(knob):
+    meaning = knob.meaning[:1].upper() + knob.meaning[1:]
+    return f"{meaning} ({knob.unit})" if knob.unit else meaning
+
+
+def _moved(dial, value, act, track, default):
+    if act.kind == "press" and act.again:
+        return default
+    if act.kind in ("press", "drag") and act.part is not None and not act.again:
+        return dial.at((act.pos[0] - track.x) / max(1, track.width))
+    if act.kind != "key":
+        return value
+    if act.key in RESET_KEYS:
+        return default
+    if act.key in STEP_KEYS:
+        return dial.stepped(value, STEP_KEYS[act.key], act.shift)
+    return dial.at(0.0 if act.key == pygame.K_HOME else 1.0)
+
+
+def _lay_out(ui, picture):
+    """Return the rects of the row, the words, the track (as far as the handle's centre goes) and the number."""
+    px = ui.theme.px
+    handle, value_width, label_width = px(HANDLE), px(VALUE_WIDTH), ui.label_width
+    if not picture and ui.width >= px(NARROW):
+        row = ui.place(px(ROW), 0)
+        words = pygame.Rect(row.x, row.y, label_width - px(4), row.height)
+        number = pygame.Rect(row.right - value_width, row.y, value_width, row.height)
+        left = row.x + label_width + handle
+        return row, words, pygame.Rect(left, row.centery, number.x - handle - left, 0), number
+    row = ui.place(px(TALL_ROW), px(4))
+    left = row.x + (_picture_width(px) + px(10) if picture else 0)
+    line = px(22)
+    number = pygame.Rect(row.right - value_width, row.y, value_width, line)
+    words = pygame.Rect(left, row.y, number.x - left, line)
+    track_left = left + handle
+    return row, words, pygame.Rect(track_left, row.y + px(30), row.right - handle - track_left, 0), number
+
+
+def _picture_width(px):
+    return 2 * _block_width(px) + px(18)
+
+
+def _block_width(px):
+    return 2 * px(CELL) + 3 * px(1)
+
+
+def _draw_picture(ui, row, picture):
+    px = ui.theme.px
+    block, arrow = _block_width(px), px(10)
+    y = row.centery - block // 2
+    before = pygame.Rect(row.x, y, block, block)
+    after = pygame.Rect(row.x + block + px(18), y, block, block)
+    middle = (before.right + after.x) // 2
+    ui.stroke(paint.block, before, picture[0])
+    head = pygame.Rect(middle - arrow // 2, row.centery - arrow // 2, arrow, arrow)
+    ui.stroke(paint.polygon, head, paint.ARROW, look.DIM)
+    ui.stroke(paint.block, after, picture[1])
+
+
+def _draw_track(ui, track, dial, value, marks, me):
+    px = ui.theme.px
+    half, radius = px(2), px(HANDLE)
+    x = _x(track, dial.fraction(value))
+    groove = pygame.Rect(track.x - radius, track.y - half, track.width + 2 * radius, 2 * half)
+    from_x = _x(track, dial.fraction(0.0)) if dial.knob.low < 0.0 < dial.knob.high else groove.x
+    filled = pygame.Rect(min(x, from_x), groove.y, abs(x - from_x), 2 * half)
+    ui.stroke(paint.box, groove, look.EDGE if me.hover else look.GROOVE, half)
+    for mark in marks:
+        tick = pygame.Rect(_x(track, dial.fraction(mark)) - px(1) // 2, track.y + half + px(3), px(1), px(3))
+        ui.stroke(paint.fill, tick, look.FAINT)
+    ui.stroke(paint.box, filled, look.BRIGHT_ACCENT if me.hover else look.ACCENT, half)
+    handle = pygame.Rect(x - radius, track.y - radius, 2 * radius, 2 * radius)
+    ui.stroke(paint.disc, handle, look.BRIGHT_HANDLE if me.hover else look.HANDLE)
+
+
+def _x(track, fraction):
+    return track.x + round(fraction * track.width)

@@ -1,0 +1,118 @@
+"""How the window looks: colours, sizes under one scale factor, the shipped font, and small smooth sprites."""
+
+from functools import lru_cache
+
+import pygame
+
+from game.world import knob
+from game.world.assets import asset
+
+FONT_FILE = asset("font", "NotoSans-Regular.ttf")
+
+# Kept darker than the sand, which is to be the brightest thing on the screen.
+GROUND = (38, 34, 30)
+RAISED = (60, 54, 47)  # buttons, boxes, tooltips
+HOVER = (72, 65, 56)
+PRESSED = (50, 45, 39)
+GROOVE = (68, 61, 54)  # the empty part of a track
+SUNKEN = (29, 26, 23)
+EDGE = (92, 83, 72)
+TEXT = (228, 219, 203)
+DIM = (160, 149, 133)
+FAINT = (128, 118, 104)
+ACCENT = (210, 156, 68)
+BRIGHT_ACCENT = (228, 178, 92)
+HANDLE = (240, 216, 164)
+BRIGHT_HANDLE = (252, 236, 200)
+STONE = (112, 103, 92)  # an occupied cell in a picture, be it sand or wall
+RING = (116, 172, 220)
+
+# Text sizes in pixels at scale 1.
+BODY = 14
+HEADING = 15
+SMALL = 12
+
+SMOOTHING = 8  # sprites are drawn this many times larger and shrunk
+
+
+class Theme:
+    """Everything a panel is drawn with at one UI scale; make a new one to change the scale."""
+
+    def __init__(self, scale=knob.UI_SCALE.default):
+        self.scale = knob.UI_SCALE.check(scale)
+        self.px = lru_cache(maxsize=256)(self._px)
+        pygame.font.init()
+        self._fonts = {size: pygame.font.Font(str(FONT_FILE), self.px(size)) for size in (BODY, HEADING, SMALL)}
+        self.words = lru_cache(maxsize=512)(self._words)
+        self.width = lru_cache(maxsize=1024)(self._width)
+        self.fitted = lru_cache(maxsize=512)(self._fitted)
+        self.lines = lru_cache(maxsize=128)(self._lines)
+        self.corners = lru_cache(maxsize=64)(self._corners)
+        self.disc = lru_cache(maxsize=32)(self._disc)
+        self.polygon = lru_cache(maxsize=64)(self._polygon)
+
+    def _px(self, size):
+        """Return `size`, given in pixels at scale 1, in whole pixels of the screen, at least 1."""
+        return max(1, round(size * self.scale))
+
+    def line_height(self, size):
+        """Return the height in pixels of a line of text."""
+        return self._fonts[size].get_linesize()
+
+    def _width(self, text, size):
+        """Return the width in pixels of one line of text."""
+        return self._fonts[size].size(text)[0]
+
+    def _words(self, text, size, colour):
+        """Return one line of text as a surface."""
+        return self._fonts[size].render(text, True, colour)
+
+    def _fitted(self, text, size, width):
+        """Return `text`, cut and ended with … where it is wider than `width` pixels."""
+        if self.width(text, size) <= width:
+            return text
+        while text and self._width(text.rstrip() + "…", size) > width:
+            text = text[:-1]
+        return text.rstrip() + "…" if text else ""
+
+    def _lines(self, text, size, width):
+        """Return `text` broken between words into a tuple of lines at most `width` pixels wide."""
+        lines = [""]
+        for word in text.split():
+            longer = f"{lines[-1]} {word}".lstrip()
+            if lines[-1] and self._width(longer, size) > width:
+                lines.append(word)
+            else:
+                lines[-1] = longer
+        return tuple(self.fitted(line, size, width) for line in lines)
+
+    def _corners(self, radius, colour, stroke):
+        """Return the four quarters of a disc, or of a ring `stroke` pixels thick, from the upper left clockwise."""
+        big = radius * SMOOTHING
+
+        def quarter(canvas):
+            pygame.draw.circle(canvas, colour, (big, big), big)
+            if stroke:
+                pygame.draw.circle(canvas, (*colour, 0), (big, big), big - stroke * SMOOTHING)
+
+        first = _smooth((radius, radius), colour, quarter)
+        flip = pygame.transform.flip
+        return first, flip(first, True, False), flip(first, True, True), flip(first, False, True)
+
+    def _disc(self, diameter, colour):
+        """Return a filled circle."""
+        big = diameter * SMOOTHING / 2
+        return _smooth((diameter, diameter), colour, lambda canvas: pygame.draw.circle(canvas, colour, (big, big), big))
+
+    def _polygon(self, size, points, colour):
+        """Return a polygon whose points are given as fractions of `size` (width, height)."""
+        big = [(x * size[0] * SMOOTHING, y * size[1] * SMOOTHING) for x, y in points]
+        return _smooth(size, colour, lambda canvas: pygame.draw.polygon(canvas, colour, big))
+
+
+def _smooth(size, colour, draw):
+    """Return a sprite with soft edges: `draw` paints it large, in `colour` on the same colour made transparent."""
+    canvas = pygame.Surface((size[0] * SMOOTHING, size[1] * SMOOTHING), pygame.SRCALPHA)
+    canvas.fill((*colour, 0))
+    draw(canvas)
+    return pygame.transform.smoothscale(canvas, size)

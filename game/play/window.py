@@ -1,0 +1,96 @@
+"""The window: opening it, its size, its pixels, and showing them by the cheapest way this machine has."""
+
+import os
+import statistics
+import time
+
+import numpy as np
+import pygame
+
+SMALLEST = (640, 480)
+ROOM_FOR_DECORATION = (24, 80)  # of the desktop, left to the title bar and panels of others
+SLOW_FLIP_MS = (
+    3.0  # a flip that takes longer goes through software OpenGL: writing to the window directly is far cheaper
+)
+TITLE = "Sandglass"
+
+
+class NoDisplayError(Exception):
+    """There is no display to open a window on."""
+
+
+class Window:
+    """The one window, resizable, with 32-bit pixels."""
+
+    def __init__(self, size, fullscreen=False):
+        """Open a window of `size` (width, height) in pixels, or what of it fits the desktop.
+
+        Raises NoDisplayError if there is no display.
+        """
+        try:
+            pygame.display.init()
+            self._windowed_size = self._fitting(size)
+            self.fullscreen = fullscreen
+            self._open()
+            self._avoid_slow_flips()
+        except pygame.error as error:
+            raise NoDisplayError(str(error)) from None
+        pygame.key.set_repeat(350, 40)
+
+    @property
+    def surface(self):
+        """The window's pixels, as pygame draws on them."""
+        return pygame.display.get_surface()
+
+    @property
+    def size(self):
+        """(width, height) in pixels."""
+        return self.surface.get_size()
+
+    def toggle_fullscreen(self):
+        """Fill the screen, or go back to the window as it was."""
+        if not self.fullscreen:
+            self._windowed_size = self.size
+        self.fullscreen = not self.fullscreen
+        self._open()
+
+    def paint(self, draw):
+        """Call `draw` with the window's pixels: an (h, w) uint32 array over the surface, valid only during the call."""
+        surface = self.surface
+        width, height = surface.get_size()
+        view = surface.get_buffer()
+        pixels = np.frombuffer(view, np.uint32).reshape(height, surface.get_pitch() // 4)
+        draw(pixels[:, :width] if pixels.shape[1] == width else pixels)
+
+    def show(self):
+        """Bring what was drawn to the screen."""
+        pygame.display.flip()
+
+    def _open(self):
+        flags = pygame.FULLSCREEN if self.fullscreen else pygame.RESIZABLE
+        pygame.display.set_mode((0, 0) if self.fullscreen else self._windowed_size, flags, 32)
+        pygame.display.set_caption(TITLE)
+
+    def _fitting(self, size):
+        desktop = pygame.display.get_desktop_sizes()[0]
+        room = (
+            max(least, most - taken) for least, most, taken in zip(SMALLEST, desktop, ROOM_FOR_DECORATION, strict=True)
+        )
+        return tuple(min(max(side, least), most) for side, least, most in zip(size, SMALLEST, room, strict=True))
+
+    def _avoid_slow_flips(self):
+        """Reopen an X11 window without acceleration where that has to be emulated, unless the user decided it."""
+        if pygame.display.get_driver() != "x11" or "SDL_FRAMEBUFFER_ACCELERATION" in os.environ:
+            return
+        self.show()
+        if statistics.median(self._flip_ms() for _ in range(5)) < SLOW_FLIP_MS:
+            return
+        os.environ["SDL_FRAMEBUFFER_ACCELERATION"] = "0"
+        pygame.display.quit()
+        pygame.display.init()
+        self._open()
+
+    def _flip_ms(self):
+        start = time.perf_counter()
+        self.show()
+        return (time.perf_counter() - start) * 1e3

@@ -1,0 +1,1 @@
+"""Experiments with figures and verdicts; no window."""

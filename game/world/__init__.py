@@ -1,0 +1,1 @@
+"""What the toy is: rule, world, scenes and actions; no window, no bit tricks."""

@@ -1,0 +1,82 @@
+"""A drawing: cells written as characters, or painted in a picture, as an array of materials."""
+
+import warnings
+
+import numpy as np
+
+from game.world import knob
+from game.world.table import SceneError, shown
+
+EMPTY, SAND, WALL = 0, 1, 2  # a material, as the uint8 in an array of cells
+MATERIALS = {"empty": EMPTY, "sand": SAND, "wall": WALL}
+MARKS = ".o#"  # a material's character in `cells`, in the order of the numbers above
+COLOURS = ((38, 33, 28), (222, 170, 84), (120, 140, 150))  # a material's colour in a picture; the nearest one counts
+FORMATS = ("PNG", "GIF", "BMP", "JPEG", "WEBP")
+MOST_PIXELS = 2**26  # of a picture: about half a gigabyte while it is read
+PICTURE_SIZE = f"{MOST_PIXELS} pixels and {knob.SIDE.high} a side"
+
+
+def written_cells(table):
+    """Return the cells that the text at `cells` spells, a row a line: '.' empty, 'o' sand, '#' wall."""
+    text = table.values["cells"]
+    if not isinstance(text, str):
+        raise table.error("cells", shown(text), 'rows of characters . o # between """')
+    rows = text.removesuffix("\n").split("\n")
+    for name, count in (("rows", len(rows)), ("columns", len(rows[0]))):
+        if not knob.SIDE.low <= count <= knob.SIDE.high:
+            raise table.error("cells", f"{count} {name}", knob.SIDE.wanted)
+    for number, row in enumerate(rows, 1):
+        strange = row.translate(str.maketrans("", "", MARKS))
+        if strange:
+            place = f"row {number}, column {row.index(strange[0]) + 1}"
+            raise table.error("cells", f"{strange[0]!r} in {place}", "only . (empty), o (sand), # (wall)")
+        if len(row) != len(rows[0]):
+            raise table.error("cells", f"{len(row)} characters in row {number}", f"{len(rows[0])} as in row 1")
+    codes = np.zeros(128, np.uint8)
+    codes[[ord(mark) for mark in MARKS]] = range(len(MARKS))
+    drawn = np.frombuffer("".join(rows).encode("ascii"), np.uint8)
+    return codes[drawn].reshape(len(rows), len(rows[0]))
+
+
+def painted_cells(table, folder):
+    """Return the cells in the picture named at `picture`, a file in `folder`; see-through pixels are empty."""
+    name = table.line("picture", "")
+    if name in ("", ".", "..") or any(sign in name for sign in "/\\:"):
+        raise table.error("picture", shown(name), "the name of a file beside the scene")
+    if not (folder / name).is_file():
+        raise table.error("picture", f"no file {name!r}", f"a picture in {folder}")
+    from PIL import Image  # only scenes with a picture wait for Pillow
+
+    try:
+        with warnings.catch_warnings(action="ignore"), Image.open(folder / name, formats=FORMATS) as picture:
+            _check_size(table, *picture.size)  # before anything is decoded
+            pixels = np.asarray(picture.convert("RGBA"))
+    except SceneError:
+        raise
+    except Exception as error:  # Pillow's decoders raise whatever a damaged file makes them trip over
+        found = "too many pixels" if isinstance(error, Image.DecompressionBombError) else f"an unreadable {name!r}"
+        raise table.error("picture", found, f"a {', '.join(FORMATS)} of at most {PICTURE_SIZE}") from None
+    return np.concatenate([_nearest_materials(rows) for rows in np.array_split(pixels, len(pixels) // 64 + 1)])
+
+
+def _check_size(table, width, height):
+    if max(width, height) > knob.SIDE.high or width * height > MOST_PIXELS:
+        raise table.error("picture", f"{width}×{height} pixels", f"at most {PICTURE_SIZE}")
+
+
+def _nearest_materials(pixels):
+    """Return the material of each RGBA pixel: the one whose colour is nearest; what is see-through is empty."""
+    colours = pixels[..., :3].astype(np.int32)
+    distances = [((colours - colour) ** 2).sum(axis=-1) for colour in COLOURS]
+    materials = np.argmin(distances, axis=0).astype(np.uint8)
+    materials[pixels[..., 3] < 128] = EMPTY
+    return materials
+
+
+def resampled(cells, height, width):
+    """Return `cells` on a lattice of another size: each cell takes the material at its centre."""
+    if cells.shape == (height, width):
+        return cells
+    rows = ((np.arange(height) + 0.5) * (cells.shape[0] / height)).astype(np.intp)
+    columns = ((np.arange(width) + 0.5) * (cells.shape[1] / width)).astype(np.intp)
+    return cells[rows][:, columns]

@@ -1,0 +1,80 @@
+"""What can be turned: each knob's default, range, unit and meaning, declared once.
+
+Sliders, command-line flags, scene files and error messages all read their knob here.
+"""
+
+import math
+from dataclasses import dataclass
+from numbers import Real
+
+
+@dataclass(frozen=True)
+class Knob:
+    """A number that a person may set."""
+
+    name: str
+    default: float
+    low: float
+    high: float
+    unit: str
+    meaning: str
+    whole: bool = False  # takes whole numbers only
+
+    def check(self, value):
+        """Return `value` as a float (an int for a whole knob), or raise ValueError saying what is wanted."""
+        if isinstance(value, bool) or not isinstance(value, Real):
+            raise ValueError(f"{self.name} must be {self.wanted}, got {value!r}")
+        if not (math.isfinite(value) and self.low <= value <= self.high):
+            raise ValueError(f"{self.name} must be {self.wanted}, got {value}")
+        if self.whole and value != int(value):
+            raise ValueError(f"{self.name} must be {self.wanted}, got {value}")
+        return int(value) if self.whole else float(value)
+
+    def parse(self, text):
+        """Return the number that `text` spells, checked; raise ValueError saying what is wanted."""
+        try:
+            number = int(text) if self.whole else float(text)
+        except ValueError:
+            raise ValueError(f"{self.name} must be {self.wanted}, got {text!r}") from None
+        return self.check(number)
+
+    @property
+    def wanted(self):
+        """The range in words: 'in [0, 1]', 'a whole number in [1, 16384] cells'."""
+        kind = "a whole number in" if self.whole else "in"
+        return f"{kind} [{self.low:g}, {self.high:g}] {self.unit}".rstrip()
+
+
+def _probability(name, meaning):
+    return Knob(name, 1.0, 0.0, 1.0, "", meaning)
+
+
+TOPPLE_LEFT = _probability("topple_left", "a grain on an occupied cell slides down to the left")
+TOPPLE_RIGHT = _probability("topple_right", "a grain on an occupied cell slides down to the right")
+FALL_PAIR = _probability(
+    "fall_pair", "two grains side by side fall together; also one beside a wall above an empty cell"
+)
+FALL_LOW_LEFT = _probability("fall_low_left", "the left grain falls beside a column occupied only below")
+FALL_LOW_RIGHT = _probability("fall_low_right", "the right grain falls beside a column occupied only below")
+FALL_FULL_LEFT = _probability("fall_full_left", "the left grain falls beside a full column")
+FALL_FULL_RIGHT = _probability("fall_full_right", "the right grain falls beside a full column")
+PROBABILITIES = (
+    TOPPLE_LEFT,
+    TOPPLE_RIGHT,
+    FALL_PAIR,
+    FALL_LOW_LEFT,
+    FALL_LOW_RIGHT,
+    FALL_FULL_LEFT,
+    FALL_FULL_RIGHT,
+)
+
+P = Knob("p", 1.0, 0.0, 1.0, "", "how readily grains topple: less is more friction")
+BIAS = Knob("bias", 0.0, -1.0, 1.0, "", "leans the toppling to the left (below 0) or right (above 0)")
+SIDE = Knob("size", 480, 1, 16384, "cells", "width or height of the lattice", whole=True)
+SEED = Knob("seed", 0, 0, 2**64 - 1, "", "picks one of the possible histories", whole=True)
+SPEED = Knob("speed", 240, 1, 1_000_000, "iterations per second", "how fast time runs")
+CELL = Knob("cell", 4, 1, 64, "pixels", "width of one cell on the screen", whole=True)
+BRUSH = Knob("brush", 6, 1, 200, "cells", "diameter of the brush", whole=True)
+UI_SCALE = Knob("ui-scale", 1.0, 0.75, 3.0, "", "size of the panel and its text")
+FRAMES = Knob("frames", 240, 1, 1_000_000, "frames", "how many frames a headless run lasts", whole=True)
+ITERATIONS = Knob("iterations", 0, 0, 2**62, "", "how many iterations to run", whole=True)

@@ -1,0 +1,115 @@
+"""The world's look: which colour each cell has and where it lies in an array of pixels. No window is needed."""
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from game.core.pixels import EMPTY, GRAIN, SHADES, SURFACE, TEXTURE, WALL, draw_cells
+
+GROUND = (24, 21, 18)  # around the lattice
+WHOLE_ENOUGH = 0.8  # of the width that would fit: the least a view may shrink to for the sake of whole pixels
+DARK_AND_LIGHT = {  # the range of shades of each look, as RGB
+    EMPTY: ((35, 31, 27), (35, 31, 27)),
+    GRAIN: ((196, 142, 62), (226, 176, 92)),
+    SURFACE: ((238, 192, 108), (255, 222, 146)),
+    WALL: ((96, 104, 108), (110, 118, 122)),
+}
+
+
+def rgb(red, green, blue):
+    """Return the pixel value 0xRRGGBB."""
+    return red << 16 | green << 8 | blue
+
+
+def palette(map_rgb=rgb):
+    """Return the (looks, SHADES) uint32 pixel values, `map_rgb` turning red, green, blue in 0 … 255 into one."""
+    values = np.empty((len(DARK_AND_LIGHT), SHADES), np.uint32)
+    for look, (dark, light) in DARK_AND_LIGHT.items():
+        for shade in range(SHADES):
+            mixed = (d + (bright - d) * shade // (SHADES - 1) for d, bright in zip(dark, light, strict=True))
+            values[look, shade] = map_rgb(*mixed)
+    return values
+
+
+def texture():
+    """Return the shade of each place, (TEXTURE, TEXTURE) uint8: it stays with the place, so sand at rest is calm."""
+    y, x = np.mgrid[0:TEXTURE, 0:TEXTURE].astype(np.uint64)
+    z = (y * np.uint64(TEXTURE) + x + np.uint64(1)) * np.uint64(0x9E3779B97F4A7C15)
+    z = (z ^ (z >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
+    return (z >> np.uint64(61)).astype(np.uint8)
+
+
+@dataclass(frozen=True)
+class View:
+    """Where a lattice of `shape` (height, width) cells lies among the pixels."""
+
+    shape: tuple
+    left: int  # pixels
+    top: int
+    width: int
+    height: int
+
+    @classmethod
+    def fit(cls, shape, left, top, width, height):
+        """Return the largest view inside a rectangle of pixels, its cells square.
+
+        Cells are whole pixels wide, and so all alike, unless that would waste too much of the rectangle.
+        """
+        rows, columns = shape
+        cell = min(width / columns, height / rows)
+        if int(cell) >= WHOLE_ENOUGH * cell:
+            cell = int(cell)
+        wide, high = max(1, int(columns * cell)), max(1, int(rows * cell))
+        return cls(shape, left + (width - wide) // 2, top + (height - high) // 2, wide, high)
+
+    @property
+    def cell(self):
+        """Pixels to a cell."""
+        return self.width / self.shape[1]
+
+    @property
+    def columns(self):
+        """The lattice column of each pixel column: int32."""
+        return (np.arange(self.width, dtype=np.int64) * self.shape[1] // self.width).astype(np.int32)
+
+    @property
+    def rows(self):
+        """The lattice row of each pixel row: int32."""
+        return (np.arange(self.height, dtype=np.int64) * self.shape[0] // self.height).astype(np.int32)
+
+    def place(self, x, y):
+        """Return the place in the lattice (column, row), in fractions of cells, of the middle of pixel (x, y)."""
+        return (
+            (x - self.left + 0.5) * self.shape[1] / self.width,
+            (y - self.top + 0.5) * self.shape[0] / self.height,
+        )
+
+    def pixel(self, column, row):
+        """Return the pixel position (x, y), in fractions, of a place in the lattice."""
+        return self.left + column * self.width / self.shape[1], self.top + row * self.height / self.shape[0]
+
+
+class Painter:
+    """Draws worlds into pixel arrays through one view, its maps and colours worked out once."""
+
+    def __init__(self, view, colours=None):
+        self.view = view
+        self._columns, self._rows = view.columns, view.rows
+        self._palette = palette() if colours is None else colours
+        self._texture = texture()
+
+    def draw(self, world, pixels):
+        """Draw `world` into `pixels`, an (h, w) uint32 array that holds the view, in place."""
+        where = world.layout
+        draw_cells(
+            world.planes,
+            where.stride,
+            where.words,
+            self._columns,
+            self._rows,
+            self._texture,
+            self._palette,
+            pixels,
+            self.view.top,
+            self.view.left,
+        )

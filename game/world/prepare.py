@@ -1,0 +1,44 @@
+"""Makes kernels ready before they are needed: each is compiled by using it once on a world of a few cells."""
+
+import numpy as np
+
+from game.core.pixels import draw_turned
+from game.world.action import Paint, apply
+from game.world.advance import advance
+from game.world.picture import Painter, View
+from game.world.rule import Rule
+from game.world.world import World
+
+KINDS = {  # a rule for each kind of kernel
+    "sand that always moves": Rule(),
+    "sand that topples by chance": Rule.with_p(0.5),
+    "sand with seven probabilities": Rule(*[0.5] * 7),
+}
+
+
+def steps(rule):
+    """Return [(what, act)], every kernel that playing a scene with `rule` needs; call each act to make it ready."""
+    world = World.from_cells(np.eye(2, dtype=bool), np.zeros((2, 2), bool))
+    dot = np.zeros((2, 2), np.uint32)
+    return [
+        ("the layout of the cells", lambda: (world.sand, world.flip())),
+        (_kind_of(rule), lambda: advance(world, rule, 1)),
+        ("drawing", lambda: Painter(View.fit((2, 2), 0, 0, 2, 2)).draw(world, dot)),
+        ("the turn of the glass", lambda: draw_turned(dot, np.uint32(0), 1.0, 0.0, dot.copy(), 0, 0, 2, 2)),
+        ("the brush", lambda: apply(Paint("sand", (0.0, 0.0), (1.0, 1.0), 1), world, rule)),
+    ]
+
+
+def later_steps(rule):
+    """Return [(what, act)] for the kernels that a player may need next."""
+    world = World.from_cells(np.eye(2, dtype=bool), np.zeros((2, 2), bool))
+    others = [(what, other) for what, other in KINDS.items() if what != _kind_of(rule)]
+    return [(what, lambda other=other: advance(world, other, 1)) for what, other in others]
+
+
+def _kind_of(rule):
+    if all(p == 1.0 for p in rule.probabilities):
+        return "sand that always moves"
+    if all(p == 1.0 for p in rule.probabilities[2:]):
+        return "sand that topples by chance"
+    return "sand with seven probabilities"

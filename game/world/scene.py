@@ -1,0 +1,141 @@
+"""A scene: the cells, the rule and the pace that one readable file describes."""
+
+import os
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from game.world import knob
+from game.world.drawing import EMPTY, SAND, WALL, painted_cells, resampled, written_cells
+from game.world.rule import FIELDS, SCHEDULES, Rule
+from game.world.shapes import Scale, paint
+from game.world.table import SceneError, read_table
+from game.world.world import World
+
+__all__ = ["Scene", "SceneError", "load_scene", "scene_names"]
+
+ORDER = ("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "fullhd", "blank")  # as shown; others follow
+SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
+SIDES = ("height", "width")
+KEYS = ("title", "notice", *SIDES, *SOURCES, "rule", "speed", "cell")
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What a scene file describes. sand and walls: (H, W) bool, not writable, nowhere both."""
+
+    name: str
+    title: str
+    notice: str  # what to look out for, in one sentence
+    sand: np.ndarray
+    walls: np.ndarray
+    rule: Rule
+    speed: float  # iterations per second
+    cell: int  # pixels across one cell
+
+    @property
+    def shape(self):
+        """The lattice's (height, width) in cells."""
+        return self.sand.shape
+
+    def world(self, seed=0):
+        """Return a new World with the scene's cells, at iteration 0."""
+        return World.from_cells(self.sand, self.walls, seed)
+
+
+def load_scene(name_or_path, size=None):
+    """Return the shipped Scene of that name, or the one in a file (a path, or a name that ends in .toml).
+
+    size: (width, height) in cells, for the same scene on another lattice: shapes are drawn again at that resolution,
+    drawn or pictured cells are resampled. Raises SceneError, with one line to show, for whatever is wrong in the file,
+    and ValueError for a bad size.
+    """
+    path = _path(name_or_path)
+    table = read_table(path)
+    table.allow(KEYS)
+    rule = _rule(table.table("rule"))
+    cells = _cells(table, path.parent, size)
+    sand, walls = cells == SAND, cells == WALL
+    sand.flags.writeable = walls.flags.writeable = False
+    return Scene(
+        name=path.stem,
+        title=table.line("title", path.stem),
+        notice=table.line("notice", ""),
+        sand=sand,
+        walls=walls,
+        rule=rule,
+        speed=table.number("speed", knob.SPEED, knob.SPEED.default),
+        cell=table.number("cell", knob.CELL, knob.CELL.default),
+    )
+
+
+def scene_names():
+    """Return the names of the shipped scenes, the default first."""
+    found = sorted(path.stem for path in scene_folder().glob("*.toml"))
+    return tuple(sorted(found, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER)))
+
+
+def scene_folder():
+    """Return the folder of the shipped scenes."""
+    return assets_folder() / "scenes"
+
+
+def assets_folder():
+    """Return the folder of what ships with the code: inside the package once installed, beside it in the repository."""
+    package = Path(__file__).resolve().parents[1]
+    return next(folder for folder in (package / "assets", package.parent / "assets") if folder.is_dir())
+
+
+def _path(name_or_path):
+    text = os.fspath(name_or_path)
+    if isinstance(name_or_path, os.PathLike) or text.endswith(".toml") or any(sign in text for sign in "/\\"):
+        path, known = Path(text), "a scene file"
+    else:
+        path, known = scene_folder() / f"{text}.toml", "a scene"
+    if "\0" in text or not os.path.lexists(path):
+        raise SceneError(text, "scene", "no such file", f"{known}, or one of {', '.join(scene_names())}")
+    return path
+
+
+def _cells(table, folder, size):
+    """Return the (H, W) uint8 materials that `table` describes, on a lattice of `size` (width, height) if given."""
+    sources = [key for key in SOURCES if key in table]
+    if len(sources) > 1:
+        raise table.error(sources[1], f"it beside {sources[0]}", f"only one of {', '.join(SOURCES)}")
+    size = size and tuple(knob.SIDE.check(side) for side in size)
+    if sources == ["cells"]:
+        drawn = written_cells(table)
+        for key, side in zip(SIDES, drawn.shape, strict=True):
+            if table.number(key, knob.SIDE, side) != side:
+                raise table.error(key, table.values[key], f"{side} as in cells, or to leave it out")
+    elif sources == ["picture"]:
+        drawn = painted_cells(table, folder)
+        height, width = (table.number(key, knob.SIDE, side) for key, side in zip(SIDES, drawn.shape, strict=True))
+        drawn = resampled(drawn, height, width)
+    else:
+        return _shaped_cells(table, size)
+    return resampled(drawn, *size[::-1]) if size else drawn
+
+
+def _shaped_cells(table, size):
+    own_width, own_height = table.number("width", knob.SIDE), table.number("height", knob.SIDE)
+    width, height = size or (own_width, own_height)
+    scale = Scale(own_width, own_height, width / own_width, height / own_height)
+    cells = np.full((height, width), EMPTY, np.uint8)
+    for shape in table.tables("shape"):
+        paint(cells, shape, scale)
+    return cells
+
+
+def _rule(table):
+    """Return the Rule in the table [rule]: p and bias, or the toppling probabilities themselves; the rest as given."""
+    table.allow(("p", "bias", *FIELDS))
+    schedule = table.choice("schedule", tuple(SCHEDULES), Rule().schedule)
+    if "p" in table or "bias" in table:
+        for topple in (knob.TOPPLE_LEFT, knob.TOPPLE_RIGHT):
+            if topple.name in table:
+                raise table.error(topple.name, "it beside p or bias", "only one of the two ways")
+    p, bias = (table.number(each.name, each, each.default) for each in (knob.P, knob.BIAS))
+    given = {each.name: table.number(each.name, each) for each in knob.PROBABILITIES if each.name in table}
+    return replace(Rule.with_p(p, schedule, bias), **given)

@@ -1,0 +1,84 @@
+"""The world: bit planes, an iteration and a seed, and nothing else that could decide the future."""
+
+import hashlib
+
+import numpy as np
+
+from game.core import planes as bit_planes
+from game.world import knob
+
+
+class World:
+    """A lattice of cells, each empty, sand or wall, at one moment.
+
+    Make one with `World.from_cells`. Everything random that will happen to it is decided by `seed` and `iteration`.
+    """
+
+    __slots__ = ("iteration", "layout", "planes", "seed")
+
+    def __init__(self, planes, layout, iteration, seed):
+        self.planes = planes  # (PLANES, length) uint64: sand, walls, walls for odd x
+        self.layout = layout
+        self.iteration = iteration  # iterations since the start, a non-negative int of any size
+        self.seed = seed  # in [0, 2**64)
+
+    @classmethod
+    def from_cells(cls, sand, walls, seed=0):
+        """Return a world with sand and walls where two (H, W) bool arrays say so, at iteration 0.
+
+        H and W are in [1, 16384]; seed is in [0, 2**64). Raises ValueError for other shapes, dtypes or seeds, and for a
+        cell that is both sand and wall.
+        """
+        sand, walls = _checked_cells(sand, "sand"), _checked_cells(walls, "walls")
+        if sand.shape != walls.shape:
+            raise ValueError(f"sand and walls must have one shape, got {sand.shape} and {walls.shape}")
+        if (sand & walls).any():
+            row, column = np.argwhere(sand & walls)[0]
+            raise ValueError(f"a cell is sand or wall, not both: row {row}, column {column}")
+        return cls(bit_planes.pack(sand, walls), bit_planes.layout(*sand.shape), 0, knob.SEED.check(seed))
+
+    @property
+    def shape(self):
+        """(height, width) in cells."""
+        return self.layout.height, self.layout.width
+
+    @property
+    def sand(self):
+        """Where sand is: a new (H, W) bool array."""
+        return bit_planes.unpack(self.planes, self.layout, bit_planes.SAND)
+
+    @property
+    def walls(self):
+        """Where walls are: a new (H, W) bool array."""
+        return bit_planes.unpack(self.planes, self.layout, bit_planes.WALLS)
+
+    @property
+    def grains(self):
+        """The number of cells that hold sand."""
+        return bit_planes.count(self.planes, self.layout, bit_planes.SAND)
+
+    def copy(self):
+        """Return a world of its own with the same cells, iteration and seed."""
+        return World(self.planes.copy(), self.layout, self.iteration, self.seed)
+
+    def flip(self):
+        """Turn the lattice by 180 degrees, in place; twice is the identity."""
+        bit_planes.turn(self.planes, self.layout)
+
+    def digest(self):
+        """Return 32 hex digits that name everything that decides the future: shape, cells, seed and iteration."""
+        digest = hashlib.blake2b(digest_size=16)
+        digest.update(f"{self.shape} {self.seed} {self.iteration} ".encode())
+        for first in (bit_planes.SAND, bit_planes.WALLS):
+            for rows in bit_planes.bands(self.planes, self.layout, first):
+                digest.update(np.packbits(rows, axis=1).tobytes())
+        return digest.hexdigest()
+
+
+def _checked_cells(cells, name):
+    cells = np.ascontiguousarray(cells)
+    if cells.dtype != np.bool_ or cells.ndim != 2:
+        raise ValueError(f"{name} must be a bool array of shape (H, W), got {cells.dtype} of shape {cells.shape}")
+    for side in cells.shape:
+        knob.SIDE.check(side)
+    return cells

@@ -1,0 +1,1 @@
+"""The laws the toy keeps, tested floor by floor; the folders mirror game/."""

@@ -1,0 +1,26 @@
+"""Small worlds as rows of characters: '.' empty, 'o' sand, '#' wall."""
+
+import numpy as np
+
+from game import World
+from game.world import knob
+
+NAMES = [each.name for each in knob.PROBABILITIES]
+
+
+def world_of(rows, seed=0):
+    """Return a World from rows of characters."""
+    cells = np.array([list(row) for row in rows])
+    return World.from_cells(cells == "o", cells == "#", seed)
+
+
+def rows_of(world):
+    """Return the world's cells as rows of characters."""
+    letters = np.where(world.walls, "#", np.where(world.sand, "o", "."))
+    return ["".join(row) for row in letters]
+
+
+def random_world(generator, height, width, seed=0, sand=0.4, walls=0.2):
+    """Return a World with sand and walls strewn at random."""
+    wall_cells = generator.random((height, width)) < walls
+    return World.from_cells((generator.random((height, width)) < sand) & ~wall_cells, wall_cells, seed)

@@ -1,0 +1,1 @@
+"""The ground floor: planes, blocks, chance, steps, pixels."""

@@ -1,0 +1,323 @@
+"""The toy in its window, driven by events as a person gives them, under the dummy video driver."""
+
+import numpy as np
+import pygame
+import pytest
+
+from game import Rule
+from game.play.toy import Toy
+from game.play.window import Window
+from game.world.action import SetRule
+from game.world.scene import load_scene
+from game.world.session import Session
+
+FRAME_NS = 16_666_667
+
+
+class Player:
+    """Hands that press keys and buttons, and a clock that ticks as told."""
+
+    def __init__(self, scene="blank", size=(900, 700)):
+        self.toy = Toy(Window(size), load_scene(scene, (120, 90) if scene == "blank" else None))
+        self.now_s, self.pointer = 100.0, None
+        self.wait(0)
+
+    @property
+    def session(self):
+        return self.toy.session
+
+    @property
+    def world(self):
+        return self.toy.session.world
+
+    def frame(self, *events, elapsed_ns=FRAME_NS):
+        self.now_s += elapsed_ns / 1e9
+        return self.toy.frame(list(events), elapsed_ns, self.now_s, self.pointer)
+
+    def wait(self, frames):
+        for _ in range(frames + 1):
+            self.frame()
+
+    def hold_time(self):
+        self.session.paused = True
+
+    def key(self, code, text=""):
+        self.frame(pygame.event.Event(pygame.KEYDOWN, key=code, unicode=text, mod=0))
+        self.frame(pygame.event.Event(pygame.KEYUP, key=code, mod=0))
+
+    def button(self, kind, pos, button=1):
+        self.pointer = pos
+        self.frame(pygame.event.Event(kind, pos=pos, button=button))
+
+    def move(self, pos):
+        self.pointer = pos
+        self.frame(pygame.event.Event(pygame.MOUSEMOTION, pos=pos, rel=(0, 0), buttons=(1, 0, 0)))
+
+    def drag(self, *places, button=1):
+        self.button(pygame.MOUSEBUTTONDOWN, places[0], button)
+        for pos in places[1:]:
+            self.move(pos)
+        self.button(pygame.MOUSEBUTTONUP, places[-1], button)
+
+    def click(self, pos):
+        self.drag(pos)
+
+    def pixel(self, column, row):
+        """Return the pixel in the middle of a cell."""
+        x, y = self.toy.painter.view.pixel(column + 0.5, row + 0.5)
+        return int(x), int(y)
+
+    def control(self, name, share=0.5):
+        """Return the place at `share` of the way along a control's moving part."""
+        part = (self.toy.panel.ui.parts(name) or [self.toy.panel.ui.rects[name]])[0]
+        return int(part.left + share * part.width), part.centery
+
+
+@pytest.fixture
+def player():
+    yield Player()
+    pygame.display.quit()
+
+
+@pytest.fixture
+def glass():
+    yield Player("hourglass")
+    pygame.display.quit()
+
+
+def test_sand_appears_where_the_pointer_went_and_the_stroke_has_no_gaps(player):
+    player.hold_time()
+    player.drag(player.pixel(10, 10), player.pixel(100, 70))
+    sand = player.world.sand
+    for share in np.linspace(0, 1, 400):
+        assert sand[int(10.5 + 60 * share), int(10.5 + 90 * share)]
+    assert not sand[70, 20] and not sand[20, 80]
+
+
+def test_a_pointer_that_jumps_in_many_steps_paints_every_cell_between(player):
+    player.hold_time()
+    player.toy.brush.diameter = 1
+    player.drag(*(player.pixel(x, y) for x, y in [(5, 5), (100, 8), (100, 80), (7, 33)]))
+    rows, columns = np.nonzero(player.world.sand)
+    reached = {(5, 5)}
+    waiting = [(5, 5)]
+    cells = set(zip(columns.tolist(), rows.tolist(), strict=True))
+    while waiting:
+        x, y = waiting.pop()
+        near = {(x + dx, y + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)} & cells - reached
+        reached |= near
+        waiting += near
+    assert reached == cells and (7, 33) in cells and (100, 80) in cells
+
+
+def test_a_held_brush_keeps_pouring(player):
+    player.button(pygame.MOUSEBUTTONDOWN, player.pixel(60, 20))
+    player.wait(5)
+    few = player.world.grains
+    player.wait(30)
+    assert player.world.grains > few > 0
+    player.button(pygame.MOUSEBUTTONUP, player.pixel(60, 20))
+    some = player.world.grains
+    player.wait(10)
+    assert player.world.grains == some
+
+
+def test_the_right_button_erases_whatever_the_tool(player):
+    player.hold_time()
+    player.key(pygame.K_2, "2")
+    player.drag(player.pixel(20, 40), player.pixel(90, 40))
+    assert player.world.walls[40, 50]
+    player.drag(player.pixel(50, 20), player.pixel(50, 60), button=3)
+    assert not player.world.walls[40, 50] and player.world.walls[40, 30]
+
+
+def test_sand_leaves_walls_standing_unless_asked(player):
+    player.hold_time()
+    player.key(pygame.K_2, "2")
+    player.drag(player.pixel(50, 40), player.pixel(70, 40))
+    walls = player.world.walls
+    player.key(pygame.K_1, "1")
+    player.drag(player.pixel(60, 30), player.pixel(60, 50))
+    assert (player.world.walls == walls).all() and player.world.sand.any()
+    player.toy.brush.over_walls = True
+    player.drag(player.pixel(60, 30), player.pixel(60, 50))
+    assert player.world.sand[40, 60] and not player.world.walls[40, 60]
+
+
+def test_the_eraser_takes_sand_and_walls(player):
+    player.hold_time()
+    player.drag(player.pixel(20, 20), player.pixel(60, 20))
+    player.key(pygame.K_3, "3")
+    player.drag(player.pixel(20, 20), player.pixel(60, 20))
+    assert player.world.grains == 0
+
+
+def test_keys_choose_tool_and_size(player):
+    for code, tool in ((pygame.K_2, "wall"), (pygame.K_3, "erase"), (pygame.K_1, "sand")):
+        player.key(code)
+        assert player.toy.brush.material == tool
+    before = player.toy.brush.diameter
+    player.key(pygame.K_RIGHTBRACKET, "]")
+    assert player.toy.brush.diameter == before + 1
+    player.key(pygame.K_LEFTBRACKET, "[")
+    player.pointer = player.pixel(60, 40)
+    player.frame(pygame.event.Event(pygame.MOUSEWHEEL, x=0, y=-2, flipped=False))
+    assert player.toy.brush.diameter == before - 2
+
+
+def test_space_holds_time_and_a_period_steps_one_iteration(glass):
+    glass.key(pygame.K_SPACE, " ")
+    at = glass.world.iteration
+    glass.wait(20)
+    assert glass.world.iteration == at
+    glass.key(pygame.K_PERIOD, ".")
+    assert glass.world.iteration == at + 1
+    glass.key(pygame.K_SPACE, " ")
+    glass.wait(20)
+    assert glass.world.iteration > at + 20
+
+
+def test_f_turns_the_glass_over_exactly_while_time_stands_still(glass):
+    glass.wait(30)
+    sand, walls, at = glass.world.sand, glass.world.walls, glass.world.iteration
+    glass.frame(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_f, unicode="f", mod=0), elapsed_ns=0)
+    assert (glass.world.sand == sand[::-1, ::-1]).all() and (glass.world.walls == walls[::-1, ::-1]).all()
+    glass.frame()
+    assert glass.world.iteration <= at + 4
+    glass.now_s += 1e6  # the turn is over
+    glass.wait(10)
+    assert glass.world.iteration > at + 10 and glass.world.grains == sand.sum()
+
+
+def test_r_starts_the_scene_again(glass):
+    start = glass.session.scene.world(0).digest()
+    glass.wait(30)
+    glass.session.paused = True
+    glass.key(pygame.K_r, "r")
+    assert glass.world.digest() == start
+
+
+def test_c_takes_the_sand_and_leaves_the_walls(glass):
+    walls = glass.world.walls
+    glass.key(pygame.K_c, "c")
+    assert glass.world.grains == 0 and (glass.world.walls == walls).all()
+
+
+def test_plus_and_minus_change_the_speed(glass):
+    before = glass.session.clock.speed
+    glass.key(pygame.K_PLUS, "+")
+    assert glass.session.clock.speed > before
+    glass.key(pygame.K_MINUS, "-")
+    assert glass.session.clock.speed == pytest.approx(before)
+
+
+def test_escape_closes_the_help_and_then_quits(glass):
+    glass.key(pygame.K_F1)
+    assert glass.toy.help_open
+    glass.key(pygame.K_ESCAPE)
+    assert not glass.toy.help_open and glass.toy.running
+    glass.key(pygame.K_ESCAPE)
+    assert not glass.toy.running
+
+
+def test_the_p_slider_sets_both_topples(glass):
+    glass.click(glass.control("p", 0.999))
+    assert glass.session.rule.topple_left == glass.session.rule.topple_right == 1.0
+    glass.drag(glass.control("p", 0.9), glass.control("p", 0.3), glass.control("p", 0.0))
+    assert glass.session.rule.topple_left == glass.session.rule.topple_right == 0.0
+
+
+def test_the_bias_slider_leans_the_topples(glass):
+    p = glass.session.rule.p
+    glass.click(glass.control("Bias", 0.0))
+    assert (glass.session.rule.topple_left, glass.session.rule.topple_right) == (p, 0.0)
+    glass.click(glass.control("Bias", 0.999))
+    assert (glass.session.rule.topple_left, glass.session.rule.topple_right) == (0.0, p)
+
+
+def test_p_at_zero_does_not_forget_the_bias(glass):
+    glass.click(glass.control("Bias", 0.0))
+    glass.click(glass.control("p", 0.0))
+    glass.click(glass.control("p", 0.999))
+    assert (glass.session.rule.topple_left, glass.session.rule.topple_right) == (1.0, 0.0)
+
+
+def test_every_probability_has_its_slider(glass):
+    glass.click(glass.control("All seven probabilities"))
+    for name in ("topple_left", "topple_right", "fall_pair", "fall_low_left", "fall_full_right"):
+        label = name.replace("_", " ").capitalize()
+        glass.click(glass.control(label, 0.0))
+        assert getattr(glass.session.rule, name) == 0.0, name
+
+
+def test_less_p_makes_the_pile_thinner():
+    widths = {}
+    for p in (0.1, 1.0):
+        session = Session(load_scene("hourglass"))
+        session.do(SetRule(Rule.with_p(p, "balanced")))
+        for _ in range(200):
+            session.frame(FRAME_NS)
+        lower = session.world.sand[session.world.shape[0] * 3 // 4 :]
+        widths[p] = lower.any(axis=0).sum()
+    assert 0 < widths[0.1] < widths[1.0]
+
+
+def test_the_scene_list_loads_another_scene(glass):
+    glass.click(glass.control("Scene"))
+    glass.click(glass.toy.panel.ui.parts("Scene")[1].center)
+    assert glass.session.scene.name == "paper" and glass.world.shape == (61, 61)
+
+
+def test_resizing_the_window_does_not_touch_the_sand(glass):
+    glass.session.paused = True
+    before = glass.world.digest()
+    for size in ((640, 480), (1600, 900), (701, 533)):
+        pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+        glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+        view = glass.toy.painter.view
+        assert view.left >= 0 and view.top >= 0
+        assert (
+            view.left + view.width <= glass.toy.sand_area.right and view.top + view.height <= glass.toy.sand_area.bottom
+        )
+    assert glass.world.digest() == before
+
+
+def test_an_idle_frame_draws_nothing(glass):
+    glass.session.paused = True
+    glass.wait(40)
+    assert not any(glass.frame() for _ in range(10))
+
+
+def test_what_is_drawn_is_the_world(glass):
+    glass.session.paused = True
+    glass.wait(2)
+    surface, view, world = glass.toy.window.surface, glass.toy.painter.view, glass.world
+    sand, walls = world.sand, world.walls
+    for row, column in np.random.default_rng(0).integers((0, 0), world.shape, (300, 2)):
+        red, _green, blue, _ = surface.get_at(glass.pixel(column, row))
+        kind = "sand" if red > blue + 80 else "wall" if blue > 90 else "empty"
+        assert kind == ("sand" if sand[row, column] else "wall" if walls[row, column] else "empty")
+    assert view.cell >= 1
+
+
+def test_the_window_and_the_bare_session_move_the_same_sand(glass):
+    bare = Session(load_scene("hourglass"))
+    glass.wait(100)
+    while bare.world.iteration < glass.world.iteration:
+        bare.step()
+    assert bare.world.digest() == glass.world.digest()
+
+
+def test_the_panel_can_be_hidden(glass):
+    wide = glass.toy.sand_area.width
+    glass.key(pygame.K_p, "p")
+    assert glass.toy.sand_area.width == 900 > wide
+    glass.click((850, 300))
+    assert glass.toy.running
+    glass.key(pygame.K_p, "p")
+    assert glass.toy.sand_area.width == wide
+
+
+def test_closing_the_window_ends_the_loop(glass):
+    glass.frame(pygame.event.Event(pygame.QUIT))
+    assert not glass.toy.running
