@@ -14,7 +14,7 @@ from game.play.ui.widgets import Ui
 from game.world import knob, picture
 from game.world.action import Clear, Flip, Load, SetRule
 from game.world.rule import Rule
-from game.world.scene import load_scene
+from game.world.scene import load_scene, scene_title
 from game.world.session import BUDGET_NS, Session
 
 LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
@@ -273,7 +273,7 @@ class Toy:
     def title_of(self, name):
         """Return the title of a shipped scene, or of the one that is open."""
         scene = self.session.scene
-        return scene.title if name == scene.name else load_scene(name).title
+        return scene.title if name == scene.name else scene_title(name)
 
 
 def _cut(pixels, view):

@@ -2,6 +2,7 @@
 
 import os
 import statistics
+import sys
 import time
 
 import numpy as np
@@ -13,6 +14,7 @@ SLOW_FLIP_MS = (
     3.0  # a flip that takes longer goes through software OpenGL: writing to the window directly is far cheaper
 )
 TITLE = "Sandglass"
+INVISIBLE = ("offscreen", "dummy")  # drivers that SDL falls back on where there is no screen
 
 
 class NoDisplayError(Exception):
@@ -28,7 +30,7 @@ class Window:
         Raises NoDisplayError if there is no display.
         """
         try:
-            pygame.display.init()
+            _start_display()
             self._windowed_size = self._fitting(size)
             self.fullscreen = fullscreen
             self._open()
@@ -94,3 +96,15 @@ class Window:
         start = time.perf_counter()
         self.show()
         return (time.perf_counter() - start) * 1e3
+
+
+def _start_display():
+    """Start the display; refuse a driver that shows nothing unless the user asked for it by name."""
+    asked_for = os.environ.get("SDL_VIDEODRIVER")
+    screens = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    if sys.platform == "linux" and not asked_for and not screens:
+        raise NoDisplayError("neither DISPLAY nor WAYLAND_DISPLAY is set")
+    pygame.display.init()
+    if pygame.display.get_driver() in INVISIBLE and asked_for not in INVISIBLE:
+        pygame.display.quit()
+        raise NoDisplayError("no screen was found")

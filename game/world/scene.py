@@ -7,6 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from game.world import knob
+from game.world.assets import asset
 from game.world.drawing import EMPTY, SAND, WALL, painted_cells, resampled, written_cells
 from game.world.rule import FIELDS, SCHEDULES, Rule
 from game.world.shapes import Scale, paint
@@ -72,19 +73,14 @@ def load_scene(name_or_path, size=None):
 
 def scene_names():
     """Return the names of the shipped scenes, the default first."""
-    found = sorted(path.stem for path in scene_folder().glob("*.toml"))
+    found = sorted(path.stem for path in asset("scenes").glob("*.toml"))
     return tuple(sorted(found, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER)))
 
 
-def scene_folder():
-    """Return the folder of the shipped scenes."""
-    return assets_folder() / "scenes"
-
-
-def assets_folder():
-    """Return the folder of what ships with the code: inside the package once installed, beside it in the repository."""
-    package = Path(__file__).resolve().parents[1]
-    return next(folder for folder in (package / "assets", package.parent / "assets") if folder.is_dir())
+def scene_title(name):
+    """Return the title of a shipped scene without making its cells."""
+    path = _path(name)
+    return read_table(path).line("title", path.stem)
 
 
 def _path(name_or_path):
@@ -92,7 +88,7 @@ def _path(name_or_path):
     if isinstance(name_or_path, os.PathLike) or text.endswith(".toml") or any(sign in text for sign in "/\\"):
         path, known = Path(text), "a scene file"
     else:
-        path, known = scene_folder() / f"{text}.toml", "a scene"
+        path, known = asset("scenes") / f"{text}.toml", "a scene"
     if "\0" in text or not os.path.lexists(path):
         raise SceneError(text, "scene", "no such file", f"{known}, or one of {', '.join(scene_names())}")
     return path

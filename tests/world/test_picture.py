@@ -1,0 +1,70 @@
+"""The drawing: every pixel shows its cell."""
+
+import numpy as np
+import pytest
+
+from game.core.pixels import SHADES, TEXTURE
+from game.world.picture import GROUND, Painter, View, palette, rgb, texture
+from tests.cells import random_world
+
+
+def looks(world):
+    """Return the plain twin's look of every cell: 0 empty, 1 grain, 2 wall, 3 surface (a grain with nothing on it)."""
+    sand, walls = world.sand, world.walls
+    covered = np.zeros_like(sand)
+    covered[1:] = (sand | walls)[:-1]
+    return np.where(walls, 2, np.where(sand, np.where(covered, 1, 3), 0))
+
+
+def drawn(world, view, height, width):
+    pixels = np.full((height, width), 7, np.uint32)
+    Painter(view).draw(world, pixels)
+    return pixels
+
+
+@pytest.mark.parametrize("shape", [(1, 1), (2, 3), (61, 61), (30, 128), (31, 130), (9, 257)])
+@pytest.mark.parametrize("cell", [1, 2, 5])
+def test_every_pixel_has_the_colour_of_its_cell(shape, cell):
+    world = random_world(np.random.default_rng(1), *shape)
+    height, width = shape[0] * cell + 9, shape[1] * cell + 5
+    view = View(shape, 3, 4, shape[1] * cell, shape[0] * cell)
+    rows, columns = np.mgrid[0 : shape[0], 0 : shape[1]]
+    colours = palette()[looks(world), texture()[rows % TEXTURE, columns % TEXTURE]]
+    wanted = np.full((height, width), 7, np.uint32)
+    wanted[4 : 4 + view.height, 3 : 3 + view.width] = colours.repeat(cell, axis=0).repeat(cell, axis=1)
+    assert (drawn(world, view, height, width) == wanted).all()
+
+
+@pytest.mark.parametrize(("shape", "size"), [((100, 300), (150, 50)), ((90, 90), (140, 131)), ((7, 5), (640, 480))])
+def test_a_view_fits_keeps_cells_square_and_shows_every_part(shape, size):
+    view = View.fit(shape, 10, 20, *size)
+    assert view.left >= 10 and view.top >= 20
+    assert view.left + view.width <= 10 + size[0] and view.top + view.height <= 20 + size[1]
+    assert view.width / shape[1] == pytest.approx(view.height / shape[0], abs=1 / min(shape))
+    assert max(view.width / size[0], view.height / size[1]) >= 0.7
+    assert view.columns[0] == 0 and view.rows[0] == 0
+    assert view.columns[-1] >= shape[1] - max(1, 1 / view.cell) - 1 and (np.diff(view.columns) >= 0).all()
+
+
+@pytest.mark.parametrize("size", [(900, 700), (333, 211)])
+def test_the_cell_under_a_pixel_is_the_cell_drawn_there(size):
+    view = View.fit((50, 80), 5, 6, *size)
+    for x in range(view.left, view.left + view.width, 7):
+        for y in range(view.top, view.top + view.height, 5):
+            column, row = view.place(x, y)
+            assert (int(column), int(row)) == (view.columns[x - view.left], view.rows[y - view.top])
+
+
+def test_sand_is_the_brightest_thing_and_every_look_is_its_own():
+    def brightness(value):
+        return (value >> 16) * 0.3 + (value >> 8 & 255) * 0.59 + (value & 255) * 0.11
+
+    empty, grain, wall, surface = palette().astype(int)
+    assert brightness(grain).min() > brightness(wall).max() + 20 > brightness(empty).max() + 40
+    assert brightness(surface).min() > brightness(grain).max()
+    assert brightness(rgb(*GROUND)) < brightness(empty).min()
+
+
+def test_all_shades_are_used_about_equally():
+    counts = np.bincount(texture().ravel(), minlength=SHADES)
+    assert len(counts) == SHADES and counts.min() > 0.7 * TEXTURE**2 / SHADES
