@@ -1,0 +1,139 @@
+"""One visit to a block: its sand moves in all replicas of a group at once, bit by bit.
+
+Events are found first; those left to chance are drawn; then all accepted ones happen. In between, what is known of each
+word waits in a scratch array.
+"""
+
+import numpy as np
+
+from game.core.block import events
+from game.core.chance import random_word
+from game.core.jit import gate
+
+MOST_WORDS = 64  # words of a group at most: rows of scratch have room for no more
+
+# Starts of the rows of scratch. The distances are constants so that the compiler sees that rows do not overlap.
+KEYS, _ACCEPTED, _REST, _KINDS = (row * MOST_WORDS for row in range(4))
+SCRATCH = _KINDS + 7 * MOST_WORDS
+
+_ZERO = np.uint64(0)
+
+
+@gate
+def kinds(a, b, c, d, wa, wb, wc, wd):
+    """Return (any event, lone falls, the seven kinds of event left to chance) in a rule's order."""
+    oa, ob, oc, od = a | wa, b | wb, c | wc, d | wd
+    fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
+    seven = (
+        tl,
+        tr,
+        (fl & ob & ~od) | (fr & oa & ~oc),
+        fl & ~ob & od,
+        fr & ~oa & oc,
+        fl & ob & od,
+        fr & oa & oc,
+    )
+    return fl | fr | tl | tr, (fl & ~(ob | od)) | (fr & ~(oa | oc)), seven
+
+
+@gate
+def masks_of(row):
+    """Return the seven masks of an array as values, so that no loop has to read them again."""
+    return row[0], row[1], row[2], row[3], row[4], row[5], row[6]
+
+
+@gate
+def chosen(seven, masks):
+    """Return the replicas whose kind of event has its mask set."""
+    found = _ZERO
+    for kind in range(7):
+        found |= seven[kind] & masks[kind]
+    return found
+
+
+@gate
+def find_events(a, b, c, d, wa, wb, wc, wd, scratch, always):
+    """Note the events that are certain and those left to chance; return the replicas with either, all words in one."""
+    certain, undecided = _ZERO, _ZERO
+    for k in range(a.size):
+        event, alone, seven = kinds(a[k], b[k], c[k], d[k], wa, wb, wc, wd)
+        accepted = alone | chosen(seven, always)
+        scratch[_ACCEPTED + k] = accepted
+        scratch[_REST + k] = event & ~accepted
+        certain |= accepted
+        undecided |= event & ~accepted
+    return certain, undecided
+
+
+@gate
+def sort_events(a, b, c, d, wa, wb, wc, wd, scratch):
+    """Note which kind of event each replica has."""
+    for k in range(a.size):
+        _, _, seven = kinds(a[k], b[k], c[k], d[k], wa, wb, wc, wd)
+        for kind in range(7):
+            scratch[_KINDS + kind * MOST_WORDS + k] = seven[kind]
+
+
+@gate
+def draw(words, scratch, place, digits, number):
+    """Compare the next random bit of each undecided replica with the next digit of its probability.
+
+    Return the replicas that are still undecided, all words in one.
+    """
+    undecided = _ZERO
+    for k in range(words):
+        random = random_word(scratch[KEYS + k], place, number)
+        digit = _ZERO
+        for kind in range(7):
+            digit |= scratch[_KINDS + kind * MOST_WORDS + k] & digits[kind]
+        rest = scratch[_REST + k]
+        scratch[_ACCEPTED + k] |= rest & digit & ~random
+        rest &= ~(random ^ digit)
+        scratch[_REST + k] = rest
+        undecided |= rest
+    return undecided
+
+
+@gate
+def move(a, b, c, d, wa, wb, wc, wd, scratch):
+    """Let the accepted events happen, in place; return the replicas that moved, all words in one."""
+    moved = _ZERO
+    for k in range(a.size):
+        fl, fr, tl, tr = events(a[k], b[k], a[k] | wa, b[k] | wb, c[k] | wc, d[k] | wd)
+        accepted = scratch[_ACCEPTED + k]
+        a[k] ^= accepted & (fl | tr)
+        b[k] ^= accepted & (fr | tl)
+        c[k] ^= accepted & (fl | tl)
+        d[k] ^= accepted & (fr | tr)
+        moved |= accepted
+    return moved
+
+
+@gate
+def wall_words(walls, y, x):
+    """Return a word for each corner of the block at [y, x], all ones where it is wall, else zero."""
+    return (
+        _ZERO - np.uint64(walls[y, x]),
+        _ZERO - np.uint64(walls[y, x + 1]),
+        _ZERO - np.uint64(walls[y + 1, x]),
+        _ZERO - np.uint64(walls[y + 1, x + 1]),
+    )
+
+
+@gate
+def visit(cells, walls, y, x, scratch, place, always, bits):
+    """Move the sand of the block with its upper left corner at [y, x]; return (whether any moved, whether any could).
+
+    place: a uint64 that no other block of the iteration has. scratch: (SCRATCH,) uint64, with the words' keys at KEYS.
+    """
+    a, b, c, d = cells[y, x], cells[y, x + 1], cells[y + 1, x], cells[y + 1, x + 1]
+    wa, wb, wc, wd = wall_words(walls, y, x)
+    certain, undecided = find_events(a, b, c, d, wa, wb, wc, wd, scratch, always)
+    if (certain | undecided) == _ZERO:
+        return False, False
+    if undecided != _ZERO:
+        sort_events(a, b, c, d, wa, wb, wc, wd, scratch)
+        for number in range(len(bits)):
+            if draw(a.size, scratch, place, masks_of(bits[number]), np.uint64(number)) == _ZERO:
+                break
+    return move(a, b, c, d, wa, wb, wc, wd, scratch) != _ZERO, True
