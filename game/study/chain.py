@@ -20,6 +20,7 @@ KINDS = (
     "fall_full_right",
 )
 CERTAIN = None  # a lone grain always falls
+TALLY_BITS = 8  # bits of a tally for each kind: no more than 16 blocks fit into 64 cells
 
 # Corners a b / c d before and after, and what decides it: '#' is sand or wall and stays, 'w' a wall, 'o' sand.
 PICTURES = (
@@ -97,9 +98,8 @@ def explore(rows, offsets, set_in_walls=False):
     set_in_walls: whether the lattice lies inside a larger one, surrounded by walls; blocks then reach over its left and
     upper edges too, where by itself it has cells that belong to no block.
     """
-    drawing = "".join(rows)
-    start = sum(1 << place for place, cell in enumerate(drawing) if cell == "o")
-    partitions = [_blocks(rows, x, y, set_in_walls) for x, y in offsets]
+    start = sum(1 << place for place, cell in enumerate("".join(rows)) if cell == "o")
+    partitions = [_partition(rows, x, y, set_in_walls) for x, y in offsets]
     index, todo = {start: 0}, [(start, 0)]
     seen, ways = {(start, 0)}, [[] for _ in offsets]
     while todo:
@@ -113,45 +113,60 @@ def explore(rows, offsets, set_in_walls=False):
     return Chain(np.array(list(index), np.uint64), tuple(map(_moves, ways)))
 
 
-def _blocks(rows, x, y, set_in_walls):
-    """Return the four corners of each block of the partition at (x, y): the cell's bit, or 0 for a wall."""
+def _partition(rows, x, y, set_in_walls):
+    """Return (cells, what happens) for each block of the partition at (x, y).
+
+    cells: the bits of the block's own cells. What happens: {state of these cells: (bits that change, kind)}.
+    """
     height, width = len(rows), len(rows[0])
 
     def corner(column, row):
+        """Return the cell's bit, 0 for a wall."""
         inside = 0 <= column < width and 0 <= row < height
         return 1 << (row * width + column) if inside and rows[row][column] != "#" else 0
 
     left, top = (-x, -y) if set_in_walls else (x, y)
-    return [
-        (corner(column, row), corner(column + 1, row), corner(column, row + 1), corner(column + 1, row + 1))
+    blocks = [
+        [corner(column + right, row + down) for down in (0, 1) for right in (0, 1)]
         for row in range(top, height, 2)
         for column in range(left, width, 2)
     ]
+    return [(sum(corners), _events_of(corners)) for corners in blocks]
+
+
+def _events_of(corners):
+    """Return {state of a block's cells: (bits that change, kind)} for four corners, each its cell's bit or 0."""
+    found = {}
+    for letters, (changed, kind) in EVENTS.items():
+        if all((letter == "w") == (bit == 0) for letter, bit in zip(letters, corners, strict=True)):
+            sand = sum(bit for letter, bit in zip(letters, corners, strict=True) if letter == "o")
+            found[sand] = sum(corners[i] for i in changed), kind
+    return found
 
 
 def _successors(state, blocks):
-    """Return [(state after, kinds that happened, kinds that did not)]: all ways one iteration can go."""
-    ways = [(state, (), ())]
-    for corners in blocks:
-        letters = "".join(("o" if state & bit else ".") if bit else "w" for bit in corners)
-        if letters not in EVENTS:
+    """Return [(state after, tally of what happened, tally of what did not)]: all ways one iteration can go."""
+    ways = [(state, 0, 0)]
+    for cells, events in blocks:
+        event = events.get(state & cells)
+        if event is None:
             continue
-        changed, kind = EVENTS[letters]
-        change = sum(corners[i] for i in changed)
+        change, kind = event
         if kind is CERTAIN:
             ways = [(after ^ change, happened, failed) for after, happened, failed in ways]
         else:
-            ways = [(after ^ change, (*happened, kind), failed) for after, happened, failed in ways] + [
-                (after, happened, (*failed, kind)) for after, happened, failed in ways
+            one = 1 << TALLY_BITS * KINDS.index(kind)
+            ways = [(after ^ change, happened + one, failed) for after, happened, failed in ways] + [
+                (after, happened, failed + one) for after, happened, failed in ways
             ]
     return ways
 
 
 def _moves(ways):
-    source, target, happened, failed = zip(*ways, strict=True) if ways else ((), (), (), ())
-    return Moves(np.array(source, int), np.array(target, int), _tally(happened), _tally(failed))
+    source, target, happened, failed = np.array(ways, np.int64).reshape(-1, 4).T
+    return Moves(source, target, _untallied(happened), _untallied(failed))
 
 
-def _tally(kinds_of_each):
-    """Return how often each kind occurs in each tuple of kinds, (n, 7) int."""
-    return np.array([[kinds.count(kind) for kind in KINDS] for kinds in kinds_of_each], int).reshape(-1, len(KINDS))
+def _untallied(tallies):
+    """Return how often each kind occurs in each tally, (n, 7) int."""
+    return (tallies[:, None] >> TALLY_BITS * np.arange(len(KINDS))) & (2**TALLY_BITS - 1)
