@@ -27,11 +27,16 @@ def run(study):
         found = list(study.track(work, "ensembles against the chains", len(planned)))
     yield (
         "The chance of every state that a small lattice can reach is worked out block by block. Ensembles that go "
-        "through the kernels are compared with it at the iteration at which the outcome is least certain."
+        "through the kernels are compared with it at the iteration at which the outcome is least certain. "
+        "The smallest of many p-values is given as the chance that any of so many would be as small."
     )
     yield _lattices({(trial.lattice, trial.schedule) for trial in planned})
     for name, path in PATHS.items():
         yield from _path_rows(path.words, [each for each in found if each[0].path == name])
+    p_values = [each.p_value for _, _, each in found if each.degrees]
+    yield verdict.likely(
+        f"evenness of all {len(p_values)} of chi-square (Kolmogorov-Smirnov)", uniform_tail(p_values), CHAIN
+    )
     yield from _rule_rows(found)
     yield Table("The least likely ensembles.", _WORST_HEADS, _worst(found))
     yield Picture(
@@ -62,15 +67,8 @@ def _path_rows(words, found):
     yield verdict.same(
         f"{words}: runs out of the chain's reach, of {total}", sum(c.outside for c in comparisons), 0, CHAIN
     )
-    yield verdict.likely(
-        f"{words}: smallest p-value of chi-square in {len(p_values)} ensembles, looks counted",
-        smallest_of(p_values),
-        CHAIN,
-    )
-    yield verdict.likely(f"{words}: evenness of these p-values (Kolmogorov-Smirnov)", uniform_tail(p_values), CHAIN)
-    yield verdict.likely(
-        f"{words}: smallest p-value of a cell among {len(cells):,}, looks counted", smallest_of(cells), CHAIN
-    )
+    yield verdict.likely(f"{words}: smallest p-value of chi-square, of {len(p_values)}", smallest_of(p_values), CHAIN)
+    yield verdict.likely(f"{words}: smallest p-value of a cell, of {len(cells):,}", smallest_of(cells), CHAIN)
 
 
 def _rule_rows(found):

@@ -5,7 +5,7 @@ from math import hypot, isfinite
 from game.study.report import AGREES, DISAGREES, NOTED, Row
 
 SIGMAS = 4.0  # standard errors between measured and expected that still agree: 1 in 16,000 comparisons is further off
-UNLIKELY = 1e-3  # a p-value below this disagrees, look-elsewhere already accounted for
+UNLIKELY = 1e-4  # a p-value below this disagrees, its looks already counted: about as far off as SIGMAS
 
 
 def _row(quantity, measured, error, expected, source, holds):

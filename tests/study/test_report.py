@@ -25,7 +25,7 @@ from game.study.report import AGREES, DISAGREES, NOTED, Picture, Table
         (verdict.within("q", 0.9, None, 1, 2, "s"), DISAGREES),
         (verdict.within("q", 0.9, 0.1, 1, 2, "s"), AGREES),
         (verdict.within("q", 5, None, 1, float("inf"), "s"), AGREES),
-        (verdict.likely("p", 0.0009, "s"), DISAGREES),
+        (verdict.likely("p", 0.00009, "s"), DISAGREES),
         (verdict.likely("p", 0.5, "s"), AGREES),
         (verdict.noted("q", 1.0), NOTED),
     ],
