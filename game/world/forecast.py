@@ -17,8 +17,8 @@ from game.world import knob
 from game.world.rule import Rule
 from game.world.world import check_cells
 
-GROUP_WORDS = 2**25  # words in a group's cells, 256 MiB; a larger group is not faster, as it leaves every cache
-BITE = 5_000  # visits to blocks, 1-5 ms, between two looks at `cancelled`; fewer cost speed on small lattices
+GROUP_WORDS = 2**23  # words in a group's cells, 64 MiB; more is faster on large lattices, but slow to lay out
+BITE = 15_000  # work between two looks at `cancelled`, 1-10 ms; less costs speed on small lattices
 STATE_CELLS = 64  # cells of a lattice whose state fits a word
 
 _MASK = 2**64 - 1
