@@ -13,7 +13,7 @@ import numpy as np
 
 from game.core.chance import iteration_key, mix
 from game.core.jit import gate, kernel
-from game.core.visit import KEYS, SCRATCH, masks_of, visit
+from game.core.visit import KEYS, SCRATCH, seven_of, visit
 
 BITS = 64
 
@@ -42,10 +42,21 @@ def replicate(sand, walls, seed, first, runs):
     full = np.full(words, 2**64 - 1, np.uint64)
     full[-1] >>= np.uint64(words * BITS - runs)
     cells = np.zeros((height + 2, width + 2, words), np.uint64)
-    cells[1:-1, 1:-1][sand] = full
+    fill(cells, sand, full)
     solid = np.ones((height + 2, width + 2), np.uint8)
     solid[1:-1, 1:-1] = walls
     return Replicas(cells, solid, np.ones(solid.shape, np.uint8), word_seeds(np.uint64(seed), first // BITS, words))
+
+
+@kernel
+def fill(cells, sand, full):
+    """Put `full`, (words,) uint64, in every cell where sand is, in place."""
+    height, width = sand.shape
+    for y in range(height):
+        for x in range(width):
+            if sand[y, x]:
+                for word in range(len(full)):
+                    cells[y + 1, x + 1, word] = full[word]
 
 
 @kernel
@@ -59,16 +70,17 @@ def word_seeds(seed, first, words):
 
 @kernel
 def advance_replicas(replicas, offsets, iteration, iterations, chances, done, row, budget):
-    """Run iterations in place, resuming at (done, row) and stopping after about `budget` visits to blocks.
+    """Run iterations in place, resuming at (done, row) and stopping once `budget` is spent.
 
-    Return the (done, row) to resume at; done is `iterations` at the end. offsets: (x, y) of the iterations from number
+    A visit to a block spends 1 and 1 for each 16 words. Return the (done, row) to resume at; done is `iterations` at
+    the end. offsets: (x, y) of the iterations from number
     `iteration`, a uint64, repeated. chances: what `chance.bit_masks` gives for the seven probabilities.
     """
     cells, walls, awake, seeds = replicas
     height, width = awake.shape[0] - 2, awake.shape[1] - 2
-    always, bits = masks_of(chances[0]), chances[1]
+    always, bits = seven_of(chances[0], 0, 1), chances[1]
     scratch = np.empty(SCRATCH, np.uint64)
-    spent = 0
+    spent, cost = 0, 1 + len(seeds) // 16
     while done < iterations:
         x0, y0 = offsets[done % len(offsets)]
         for k in range(len(seeds)):
@@ -81,7 +93,7 @@ def advance_replicas(replicas, offsets, iteration, iterations, chances, done, ro
                 if awake[y, x]:
                     place = np.uint64(y * (width + 2) + x)
                     moved, could = visit(cells, walls, y, x, scratch, place, always, bits)
-                    spent += 1
+                    spent += cost
                     if moved:
                         awake[y - 1 : y + 2, x - 1 : x + 2] = 1
                     elif not could:
@@ -106,8 +118,8 @@ def count_replicas(cells, weight, counts):
     for y in range(height):
         for x in range(width):
             found = _ZERO
-            for word in cells[y + 1, x + 1]:
-                found += ones(word)
+            for word in range(cells.shape[2]):
+                found += ones(cells[y + 1, x + 1, word])
             counts[y, x] += weight * np.int64(found)
 
 

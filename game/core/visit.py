@@ -37,18 +37,34 @@ def kinds(a, b, c, d, wa, wb, wc, wd):
 
 
 @gate
-def masks_of(row):
-    """Return the seven masks of an array as values, so that no loop has to read them again."""
-    return row[0], row[1], row[2], row[3], row[4], row[5], row[6]
+def seven_of(array, first, step):
+    """Return seven values of an array, `step` apart.
+
+    Written out here and below, as a loop over kinds keeps the compiler from vectorising the loop over words around it.
+    """
+    return (
+        array[first],
+        array[first + step],
+        array[first + 2 * step],
+        array[first + 3 * step],
+        array[first + 4 * step],
+        array[first + 5 * step],
+        array[first + 6 * step],
+    )
 
 
 @gate
 def chosen(seven, masks):
     """Return the replicas whose kind of event has its mask set."""
-    found = _ZERO
-    for kind in range(7):
-        found |= seven[kind] & masks[kind]
-    return found
+    return (
+        (seven[0] & masks[0])
+        | (seven[1] & masks[1])
+        | (seven[2] & masks[2])
+        | (seven[3] & masks[3])
+        | (seven[4] & masks[4])
+        | (seven[5] & masks[5])
+        | (seven[6] & masks[6])
+    )
 
 
 @gate
@@ -70,8 +86,13 @@ def sort_events(a, b, c, d, wa, wb, wc, wd, scratch):
     """Note which kind of event each replica has."""
     for k in range(a.size):
         _, _, seven = kinds(a[k], b[k], c[k], d[k], wa, wb, wc, wd)
-        for kind in range(7):
-            scratch[_KINDS + kind * MOST_WORDS + k] = seven[kind]
+        scratch[_KINDS + k] = seven[0]
+        scratch[_KINDS + MOST_WORDS + k] = seven[1]
+        scratch[_KINDS + 2 * MOST_WORDS + k] = seven[2]
+        scratch[_KINDS + 3 * MOST_WORDS + k] = seven[3]
+        scratch[_KINDS + 4 * MOST_WORDS + k] = seven[4]
+        scratch[_KINDS + 5 * MOST_WORDS + k] = seven[5]
+        scratch[_KINDS + 6 * MOST_WORDS + k] = seven[6]
 
 
 @gate
@@ -83,9 +104,7 @@ def draw(words, scratch, place, digits, number):
     undecided = _ZERO
     for k in range(words):
         random = random_word(scratch[KEYS + k], place, number)
-        digit = _ZERO
-        for kind in range(7):
-            digit |= scratch[_KINDS + kind * MOST_WORDS + k] & digits[kind]
+        digit = chosen(seven_of(scratch, _KINDS + k, MOST_WORDS), digits)
         rest = scratch[_REST + k]
         scratch[_ACCEPTED + k] |= rest & digit & ~random
         rest &= ~(random ^ digit)
@@ -134,6 +153,6 @@ def visit(cells, walls, y, x, scratch, place, always, bits):
     if undecided != _ZERO:
         sort_events(a, b, c, d, wa, wb, wc, wd, scratch)
         for number in range(len(bits)):
-            if draw(a.size, scratch, place, masks_of(bits[number]), np.uint64(number)) == _ZERO:
+            if draw(a.size, scratch, place, seven_of(bits[number], 0, 1), np.uint64(number)) == _ZERO:
                 break
     return move(a, b, c, d, wa, wb, wc, wd, scratch) != _ZERO, True

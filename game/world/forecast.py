@@ -17,11 +17,12 @@ from game.world import knob
 from game.world.rule import Rule
 from game.world.world import check_cells
 
-GROUP_WORDS = 2**25  # words in a group's cells, 256 MiB; a larger group is not faster, as it leaves every cache
-BITE = 5_000  # visits to blocks, 1-5 ms, between two looks at `cancelled`; fewer cost speed on small lattices
+GROUP_WORDS = 2**23  # words in a group's cells, 64 MiB; more is faster on large lattices, but slow to lay out
+BITE = 15_000  # work between two looks at `cancelled`, 1-10 ms; less costs speed on small lattices
 STATE_CELLS = 64  # cells of a lattice whose state fits a word
 
 _MASK = 2**64 - 1
+_RUNS = knob.RUNS.default
 
 
 class Cancelled(Exception):  # noqa: N818 (it is a wish granted, not an error)
@@ -44,7 +45,7 @@ class Ensemble(NamedTuple):
         return self.runs if all(threshold(p) in (0, CERTAIN) for p in self.rule.probabilities) else 1
 
 
-def density(sand, walls, rule, iterations, runs=10_000, seed=0, start=0, progress=None, cancelled=None):
+def density(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
     """Return the fraction of `runs` independent runs that have sand in each cell after `iterations`: (H, W) float64.
 
     sand, walls: (H, W) bool, as `World.from_cells` takes them. start: the iteration the runs start at, as in
@@ -56,7 +57,7 @@ def density(sand, walls, rule, iterations, runs=10_000, seed=0, start=0, progres
     return counts[0] / runs
 
 
-def counts_at(sand, walls, rule, moments, runs=10_000, seed=0, start=0, progress=None, cancelled=None):
+def counts_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
     """Return how many runs have sand in each cell at each moment: (moments, H, W) int64, exact.
 
     moments: iterations since the start, in rising order. The rest is as for `density`.
@@ -68,7 +69,7 @@ def counts_at(sand, walls, rule, moments, runs=10_000, seed=0, start=0, progress
     return counts
 
 
-def states_at(sand, walls, rule, moments, runs=10_000, seed=0, start=0, progress=None, cancelled=None):
+def states_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
     """Return the state of each run at each moment: (moments, runs) uint64, where bit y·W + x is sand in cell (y, x).
 
     The lattice has 64 cells at most, else ValueError is raised. The rest is as for `counts_at`.
@@ -76,7 +77,7 @@ def states_at(sand, walls, rule, moments, runs=10_000, seed=0, start=0, progress
     ensemble, moments = _checked(sand, walls, rule, runs, seed, start), _checked_moments(moments)
     if ensemble.sand.size > STATE_CELLS:
         raise ValueError(f"states are of lattices of {STATE_CELLS} cells at most, got {ensemble.sand.size}")
-    states = np.empty((len(moments), runs), np.uint64)
+    states = np.empty((len(moments), ensemble.runs), np.uint64)
     for moment, first, group in _follow(ensemble, moments, progress, cancelled):
         if ensemble.weight > 1:
             read_states(group.cells, states[moment, :1])

@@ -67,7 +67,7 @@ def test_a_million_runs_are_summed_without_loss():
 def test_states_and_counts_are_two_views_of_the_same_runs():
     moments = [0, 3, 30]
     for rule in (SEVEN, Rule()):
-        states = states_at(PILE.sand, PILE.walls, rule, moments, runs=5000, seed=54)
+        states = states_at(PILE.sand, PILE.walls, rule, moments, runs=5000.0, seed=54)
         bits = (states[:, :, None] >> np.arange(PILE.sand.size, dtype=np.uint64)) & np.uint64(1)
         assert (bits.sum(axis=2) == PILE.grains).all()
         counts = counts_at(PILE.sand, PILE.walls, rule, moments, runs=5000, seed=54)
@@ -128,6 +128,14 @@ def test_a_probability_of_2_to_the_minus_32_is_still_a_chance(p):
     counts = counts_at(tower.sand, tower.walls, rule, [1], runs=100_000)[0]
     assert abs(counts[1, 1] - p * 100_000) < 1
     assert forecast.Ensemble(tower.sand, tower.walls, rule, 5, 0, 0).weight == 1
+
+
+def test_a_grain_that_did_not_topple_keeps_its_chance():
+    tower = world_of(["o.", "o."])
+    rule = Rule(topple_right=0.01, schedule="margolus")  # one chance in two iterations
+    toppled = sum(counts_at(tower.sand, tower.walls, rule, [200], runs=10, seed=seed)[0, 1, 1] for seed in range(300))
+    expected = 1 - 0.99**100
+    assert abs(toppled - 3000 * expected) < 5 * np.sqrt(3000 * expected * (1 - expected))
 
 
 def test_a_forecast_in_a_thread_stops_soon_after_it_is_cancelled():
