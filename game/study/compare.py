@@ -38,7 +38,7 @@ def compare(states, chain, chances, cells):
     if rest_expected >= FEWEST:
         seen, wanted = np.append(seen, rest), np.append(wanted, rest_expected)
         rest, rest_expected = 0, 0.0
-    degrees = len(seen) - 1
+    degrees = max(len(seen) - 1, 0)
     chi_square = float(((seen - wanted) ** 2 / wanted).sum()) if degrees else 0.0
     p_value = chi_square_tail(chi_square, degrees) if degrees else 1.0
     places = (chain.states[:, None] >> np.arange(cells, dtype=np.uint64)) & np.uint64(1)

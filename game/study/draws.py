@@ -64,15 +64,14 @@ def count_toppled(start, p, trials, seed):
 
 
 def count_standing(start, p, trials, seed):
-    """Return (standing, expected, trials) for `posts` that try once, time after time, and few of which fail."""
-    world, rule = start.copy(), Rule.with_p(p, "margolus")
-    world.seed = seed
+    """Return (standing, expected, trials) for `posts` that try once, world after world, and few of which fail."""
+    rule = Rule.with_p(p, "margolus")
     candidates = start.grains // 2
     attempts = -(-trials // candidates)
     standing = 0
     for attempt in range(attempts):
-        world.planes[:4] = start.planes[:4]
-        world.iteration = len(rule.offsets) * attempt
+        world = start.copy()
+        world.seed, world.iteration = seed, len(rule.offsets) * attempt
         advance(world, rule, 1)
         standing += candidates - int(np.bitwise_count(world.planes[TOPPLED]).sum())
     return standing, attempts * candidates * (1.0 - p), attempts * candidates

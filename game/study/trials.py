@@ -3,12 +3,13 @@
 from dataclasses import dataclass
 from functools import cache
 from itertools import product
+from typing import NamedTuple
 
 import numpy as np
 
 from game import Rule
 from game.study.chain import explore
-from game.study.compare import compare
+from game.study.compare import Comparison, compare
 from game.study.copies import sand_and_walls, stacked_states, tiled_states
 from game.study.lattices import LATTICES
 from game.world.forecast import states_at
@@ -60,17 +61,40 @@ class Trial:
     number: int  # seeds the ensemble
 
     @property
+    def chain_name(self):
+        """What `chain_of` takes for the chain that the ensemble is held against."""
+        return self.lattice, self.schedule, PATHS[self.path].set_in_walls
+
+    @property
     def chain(self):
         """The chain that the ensemble is held against."""
-        return chain_of(self.lattice, self.schedule, PATHS[self.path].set_in_walls)
+        return chain_of(*self.chain_name)
 
     def run(self, runs):
-        """Run the ensemble and return (iterations, Comparison) at the moment of most uncertainty."""
+        """Run the ensemble and return its Outcome at the moment of most uncertainty."""
         rule = Rule(*PROBABILITIES[self.probabilities], schedule=self.schedule)
-        path, rows = PATHS[self.path], LATTICES[self.lattice]
+        rows = LATTICES[self.lattice]
         iterations, chances = most_uncertain(self.chain, rule.probabilities)
-        states = path.states(rows, rule, iterations, runs, self.number << 32)
-        return iterations, compare(states, self.chain, chances, len(rows) * len(rows[0]))
+        states = PATHS[self.path].states(rows, rule, iterations, runs, self.number << 32)
+        return Outcome(self, iterations, compare(states, self.chain, chances, len(rows) * len(rows[0])))
+
+
+class Outcome(NamedTuple):
+    """What became of a trial."""
+
+    trial: Trial
+    iterations: int  # the moment of the comparison
+    comparison: Comparison
+
+    @property
+    def degrees(self):
+        """Degrees of freedom of chi-square, 0 if the outcome was certain."""
+        return self.comparison.degrees
+
+    @property
+    def p_value(self):
+        """Of chi-square."""
+        return self.comparison.p_value
 
 
 def trials(everything):

@@ -47,13 +47,13 @@ def test_certain_copies_side_by_side_are_the_lattice_set_in_walls(name, schedule
 @pytest.mark.parametrize("path", PATHS)
 @pytest.mark.parametrize("probabilities", ["p = 0.25", "seven different"])
 def test_an_ensemble_agrees_with_the_chain(path, probabilities):
-    _, found = Trial("walls in every role", "paper", probabilities, path, 1).run(50_000)
+    found = Trial("walls in every role", "paper", probabilities, path, 1).run(50_000).comparison
     assert found.outside == 0 and found.degrees > 3
     assert found.p_value > 1e-4 and min(found.cells) > 1e-4 / len(found.cells)
 
 
 @pytest.mark.parametrize("path", PATHS)
-def test_p_one_percent_off_does_not_agree(path, monkeypatch):
+def test_p_one_percent_off_does_not_agree(path):
     trial = Trial("tower", "balanced", "p = 0.5", path, 2)
     chain = trial.chain
     moment, chances = most_uncertain(chain, PROBABILITIES["p = 0.5"])
