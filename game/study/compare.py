@@ -15,7 +15,7 @@ class Comparison:
     """How an ensemble and the chain agree at one moment."""
 
     runs: int
-    outside: int  # runs in states that the chain cannot reach
+    outside: int  # runs in states that the chain says cannot be
     chi_square: float
     degrees: int  # of freedom; 0 where all runs are expected in one state
     p_value: float  # of chi-square
@@ -29,7 +29,8 @@ def compare(states, chain, chances, cells):
 
     cells: the number of cells of the lattice.
     """
-    counts, outside = _count(states, chain.states)
+    counts, unknown = _count(states, chain.states)
+    outside = unknown + int(counts[chances == 0.0].sum())
     runs = len(states)
     expected = runs * chances
     common = expected >= FEWEST
