@@ -13,10 +13,10 @@ ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
 
-def blocks(section, language=""):
-    """Return the code blocks of a section, of one language."""
-    body = README.split(f"\n{section}\n", 1)[1]
-    return re.findall(rf"^```{language}\n(.*?)^```$", re.split(r"\n##? ", body)[0], re.DOTALL | re.MULTILINE)
+def blocks(section):
+    """Return the code blocks of a section, in order."""
+    body = re.split(r"\n##+ ", README.split(f"\n{section}\n", 1)[1])[0]
+    return re.findall(r"^```\w*\n(.*?)^```$", body, re.DOTALL | re.MULTILINE)
 
 
 @pytest.mark.parametrize("section", ["## Run", "## Test"])
@@ -25,15 +25,16 @@ def test_one_line_sets_everything_up(section):
 
 
 def test_the_ten_lines_print_what_is_shown_below_them():
+    code, output = blocks("## In your own program")
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
-        exec(blocks("## In your own program", "python")[0], {})
-    assert printed.getvalue() == blocks("## In your own program")[-1]
+        exec(code, {})
+    assert printed.getvalue() == output
 
 
 def test_the_scene_shown_is_a_scene(tmp_path):
     path = tmp_path / "wedge.toml"
-    path.write_text(blocks("### A scene file", "toml")[0], encoding="utf-8")
+    path.write_text(blocks("### A scene file")[0], encoding="utf-8")
     scene = load_scene(path)
     assert scene.shape == (40, 60) and scene.sand.sum() == 160 and scene.walls.any()
 
