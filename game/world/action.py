@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from game.core import brush, planes
+from game.core import brush
 from game.world.rule import Rule
 from game.world.scene import Scene
 
@@ -50,11 +50,12 @@ def apply(action, world, rule):
     """Return (world, rule) after `action`; the world given is changed in place or replaced."""
     match action:
         case Paint():
-            _paint(action, world)
+            start, end = snap(action.start, action.diameter), snap(action.end, action.diameter)
+            world.stroke(start, end, action.diameter, MATERIALS[action.material], action.over_walls)
         case Flip():
             world.flip()
         case Clear():
-            world.planes[planes.SAND : planes.WALLS] = 0
+            world.clear()
         case SetRule():
             rule = action.rule
         case Load():
@@ -67,19 +68,3 @@ def apply(action, world, rule):
 def snap(place, diameter):
     """Return the nearest place to centre a brush of `diameter` cells: a cell's middle if odd, a corner if even."""
     return tuple(math.floor(part) + 0.5 if diameter % 2 else float(round(part)) for part in place)
-
-
-def _paint(action, world):
-    where = world.layout
-    start, end = snap(action.start, action.diameter), snap(action.end, action.diameter)
-    brush.stroke(
-        world.planes,
-        where.height,
-        where.width,
-        where.words,
-        *start,
-        *end,
-        action.diameter / 2,
-        MATERIALS[action.material],
-        action.over_walls,
-    )
