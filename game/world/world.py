@@ -33,12 +33,7 @@ class World:
         H and W are in [1, 16384]; seed is in [0, 2**64). Raises ValueError for other shapes, dtypes or seeds, and for a
         cell that is both sand and wall.
         """
-        sand, walls = _checked_cells(sand, "sand"), _checked_cells(walls, "walls")
-        if sand.shape != walls.shape:
-            raise ValueError(f"sand and walls must have one shape, got {sand.shape} and {walls.shape}")
-        if (sand & walls).any():
-            row, column = np.argwhere(sand & walls)[0]
-            raise ValueError(f"a cell is sand or wall, not both: row {row}, column {column}")
+        sand, walls = check_cells(sand, walls)
         return cls(bit_planes.pack(sand, walls), bit_planes.layout(*sand.shape), 0, knob.SEED.check(seed))
 
     @property
@@ -97,6 +92,17 @@ class World:
             for rows in bit_planes.bands(self.planes, self.layout, first):
                 digest.update(np.packbits(rows, axis=1).tobytes())
         return digest.hexdigest()
+
+
+def check_cells(sand, walls):
+    """Return two (H, W) bool arrays, contiguous, or raise ValueError saying what cells must be."""
+    sand, walls = _checked_cells(sand, "sand"), _checked_cells(walls, "walls")
+    if sand.shape != walls.shape:
+        raise ValueError(f"sand and walls must have one shape, got {sand.shape} and {walls.shape}")
+    if (sand & walls).any():
+        row, column = np.argwhere(sand & walls)[0]
+        raise ValueError(f"a cell is sand or wall, not both: row {row}, column {column}")
+    return sand, walls
 
 
 def _checked_cells(cells, name):
