@@ -76,6 +76,7 @@ def _headless_parser():
     _scene_options(parser)
     parser.add_argument("--frames", type=_setting(knob.FRAMES), default=knob.FRAMES.default, help=knob.FRAMES.meaning)
     parser.add_argument("--json", action="store_true", help="print one JSON object")
+    parser.add_argument("--replay", metavar="FILE", help="compute a recorded session to its end instead")
     return parser
 
 
@@ -93,9 +94,27 @@ def _load(options):
 def _headless(options):
     from game import headless
 
+    if options.replay is not None:
+        return _replay(options)
     report = headless.run(_load(options), options.frames, options.p, options.seed)
     print(headless.text(report, options.json))
     return headless.status(report)
+
+
+def _replay(options):
+    from game import headless
+    from game.world.replay import ReplayError, load_replay
+
+    try:
+        recording = load_replay(options.replay)
+    except ReplayError as error:
+        print(f"sandglass: {error}", file=sys.stderr)
+        return 2
+    if recording.problem:
+        print(f"sandglass: {recording.problem}", file=sys.stderr)
+    report = headless.replay(recording)
+    print(headless.replay_text(report, options.json))
+    return headless.replay_status(report)
 
 
 def _play(options):

@@ -48,12 +48,19 @@ class Load:
 
 def apply(action, world, rule):
     """Return (world, rule) after `action`; the world given is changed in place or replaced."""
+    return perform(action, world, rule)[:2]
+
+
+def perform(action, world, rule):
+    """Return (world, rule, change) as `apply` does; change: grains that the act put into the world given, or took."""
+    change = 0
     match action:
         case Paint():
-            _paint(action, world)
+            change = _paint(action, world)
         case Flip():
             world.flip()
         case Clear():
+            change = -world.grains
             world.planes[planes.SAND : planes.WALLS] = 0
         case SetRule():
             rule = action.rule
@@ -61,7 +68,7 @@ def apply(action, world, rule):
             world, rule = action.scene.world(action.seed), action.scene.rule
         case _:
             raise TypeError(f"not an action: {action!r}")
-    return world, rule
+    return world, rule, change
 
 
 def snap(place, diameter):
@@ -70,9 +77,10 @@ def snap(place, diameter):
 
 
 def _paint(action, world):
+    """Paint and return the change in grains."""
     where = world.layout
     start, end = snap(action.start, action.diameter), snap(action.end, action.diameter)
-    brush.stroke(
+    return brush.stroke(
         world.planes,
         where.height,
         where.width,
