@@ -11,6 +11,7 @@ from game.world.snapshot import MEGABYTE, Shelf, nearest
 # Work between two snapshots: a seek computes no more than that. Half as much doubles the memory for ten minutes of a
 # full screen (280 KB each); three times as much makes a rewind stutter.
 SPACING_NS = 20_000_000
+SHARE = 20  # a snapshot costs at most one part in so many of the work: on a huge lattice it takes long to copy
 SLICE_NS = 1_000_000  # work between two looks at the time; more overruns a frame's budget, less costs calls
 REPEATABLE = Clear, Paint, SetRule  # done twice at one iteration, they do what they do once
 
@@ -27,6 +28,7 @@ class Timeline:
         self.start = scene, seed  # what the session began with
         self._here = self.history.root  # the last act that the moment has seen
         self._ahead = []  # acts of the line yet to come, the nearest last
+        self._spacing_ns = SPACING_NS
         self._kept_work_ns = 0  # the moment's work when the last snapshot was kept
         self._iteration_ns = float(SLICE_NS)  # what one took lately; until it is known, they go one by one
 
@@ -170,11 +172,13 @@ class Timeline:
 
     def _keep_now_and_then(self):
         """Keep a snapshot where the last one is far, unless the line has one near."""
-        if self.moment.work_ns - self._kept_work_ns < SPACING_NS:
+        if self.moment.work_ns - self._kept_work_ns < self._spacing_ns:
             return
         before = nearest(self._here, self.moment.now)
-        if before is None or self.moment.work_ns - before.work_ns >= SPACING_NS:
-            self.shelf.keep(self.moment, self._here, self.history.line)
-            self._kept_work_ns = self.moment.work_ns
-        else:
+        if before and self.moment.work_ns - before.work_ns < self._spacing_ns:
             self._kept_work_ns = before.work_ns
+            return
+        start = time.perf_counter_ns()
+        self.shelf.keep(self.moment, self._here, self.history.line)
+        self._spacing_ns = max(SPACING_NS, SHARE * (time.perf_counter_ns() - start))
+        self._kept_work_ns = self.moment.work_ns
