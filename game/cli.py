@@ -19,7 +19,8 @@ def main(arguments=None):
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     try:
         if arguments[:1] == ["headless"]:
-            return _headless(_headless_parser().parse_args(arguments[1:]))
+            options = _headless_parser().parse_args(arguments[1:])
+            return _headless(options) if options.replay is None else _replay(options)
         return _play(_play_parser().parse_args(arguments))
     except BrokenPipeError:
         return 0
@@ -94,8 +95,6 @@ def _load(options):
 def _headless(options):
     from game import headless
 
-    if options.replay is not None:
-        return _replay(options)
     report = headless.run(_load(options), options.frames, options.p, options.seed)
     print(headless.text(report, options.json))
     return headless.status(report)

@@ -16,7 +16,7 @@ from game.world.session import Session
 from tests.world.sessions import SCENES
 from tests.world.test_replay import sample, values_of
 
-INPUTS = int(os.environ.get("SANDGLASS_FUZZ", "3000"))
+INPUTS = int(os.environ.get("SANDGLASS_FUZZ", "2000"))
 FARTHEST = 5000  # iterations: no further is played what a file tells
 PIECES = [b"{", b"}", b"[", b"]", b'"', b",", b":", b"\n", b"\0", b"\xff", b"null", b"NaN", b"1e999", b"-1", b"9" * 400]
 VALUES = [None, True, -1, 0, 1, 2**53, 2**64, 1e308, float("nan"), "", "sand", "undo", "x" * 300, [], {}, [[]], [1, 2]]

@@ -17,7 +17,7 @@ from game.world.rule import Rule
 from game.world.session import Session
 from tests.world.sessions import SCENES, state
 
-KILLS = int(os.environ.get("SANDGLASS_KILLS", "60"))
+KILLS = int(os.environ.get("SANDGLASS_KILLS", "40"))
 FRAME_NS = 16_666_667
 DOT = Paint("sand", (5.0, 5.0), (9.0, 5.0), 4)
 

@@ -27,7 +27,7 @@ GOLDEN = {  # what the demos end in, on every machine; tests/data/make_replays.p
     "rooms": "da2d9f5265e08ef83b775ed56ed2677e",
     "three-turns": "497cf2bd5914090962d2ee365cc5e971",
 }
-steady = settings(derandomize=True, deadline=None, max_examples=60)
+steady = settings(derandomize=True, deadline=None, max_examples=40)
 
 
 def sample():

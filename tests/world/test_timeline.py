@@ -15,7 +15,7 @@ from game.world.replay import Recording
 from game.world.session import Session
 from tests.world.sessions import SCENES, actions, obey, plain_world, played, plays, state
 
-steady = settings(derandomize=True, deadline=None, max_examples=60)
+steady = settings(derandomize=True, deadline=None, max_examples=40)
 DOT = Paint("sand", (5.0, 5.0), (9.0, 5.0), 4)
 BAR = Paint("wall", (2.0, 12.0), (20.0, 12.0), 3)
 
