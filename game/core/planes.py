@@ -65,11 +65,11 @@ def pack(sand, walls):
     return planes
 
 
-def empty(where):
-    """Return room for the planes of a layout, not filled, starting at a cache line as every plane then does."""
-    room = np.empty(PLANES * where.length + LINE, np.uint64)
+def empty(where, number=PLANES):
+    """Return room for a number of planes of a layout, not filled, starting at a cache line as every plane then does."""
+    room = np.empty(number * where.length + LINE, np.uint64)
     start = -room.ctypes.data // room.itemsize % LINE
-    return room[start : start + PLANES * where.length].reshape(PLANES, where.length)
+    return room[start : start + number * where.length].reshape(number, where.length)
 
 
 def unpack(planes, where, first=SAND):

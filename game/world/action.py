@@ -48,13 +48,20 @@ class Load:
 
 def apply(action, world, rule):
     """Return (world, rule) after `action`; the world given is changed in place or replaced."""
+    return perform(action, world, rule)[:2]
+
+
+def perform(action, world, rule):
+    """Return (world, rule, change) as `apply` does; change: grains that the act put into the world given, or took."""
+    change = 0
     match action:
         case Paint():
             start, end = snap(action.start, action.diameter), snap(action.end, action.diameter)
-            world.stroke(start, end, action.diameter, MATERIALS[action.material], action.over_walls)
+            change = world.stroke(start, end, action.diameter, MATERIALS[action.material], action.over_walls)
         case Flip():
             world.flip()
         case Clear():
+            change = -world.grains
             world.clear()
         case SetRule():
             rule = action.rule
@@ -62,7 +69,7 @@ def apply(action, world, rule):
             world, rule = action.scene.world(action.seed), action.scene.rule
         case _:
             raise TypeError(f"not an action: {action!r}")
-    return world, rule
+    return world, rule, change
 
 
 def snap(place, diameter):
