@@ -7,10 +7,10 @@ from rich.progress import BarColumn, Progress, SpinnerColumn, TextColumn, TimeEl
 from rich.table import Table as RichTable
 from rich.text import Text
 
-from game.study.report import AGREES, DISAGREES, NOTED
+from game.study.report import AGREES, DIFFERS, DISAGREES, NOTED
 from game.study.writers import HEADS, cells
 
-STYLES = {AGREES: "green", DISAGREES: "bold red", NOTED: "dim"}
+STYLES = {AGREES: "green", DISAGREES: "bold red", DIFFERS: "yellow", NOTED: "dim"}
 
 
 class Desk:

@@ -6,8 +6,9 @@ from typing import Any
 
 AGREES = "agrees"
 DISAGREES = "disagrees"
+DIFFERS = "differs"  # from a claim about the world outside: a finding, where DISAGREES is a fault
 NOTED = "noted"  # measured, with nothing to compare it with
-VERDICTS = (AGREES, DISAGREES, NOTED)
+VERDICTS = (AGREES, DISAGREES, DIFFERS, NOTED)
 
 
 @dataclass(frozen=True)

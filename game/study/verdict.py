@@ -1,8 +1,9 @@
 """Verdicts: each function compares a measurement with what was expected, in its own way, and returns the Row."""
 
+from dataclasses import replace
 from math import hypot, isfinite
 
-from game.study.report import AGREES, DISAGREES, NOTED, Row
+from game.study.report import AGREES, DIFFERS, DISAGREES, NOTED, Row
 
 SIGMAS = 4.0  # standard errors between measured and expected that still agree: 1 in 16,000 comparisons is further off
 UNLIKELY = 1e-4  # a p-value below this disagrees, its looks already counted: about as far off as SIGMAS
@@ -27,6 +28,15 @@ def within(quantity, measured, error, low, high, source):
     """Agree if measured lies in [low, high] (either may be infinite), give or take SIGMAS standard errors, if any."""
     give = SIGMAS * (error or 0.0)
     return _row(quantity, measured, error, _range(low, high), source, low - give <= measured <= high + give)
+
+
+def claimed(quantity, measured, error, low, high, source):
+    """Hold a measurement against a claim about the paper's sand or real sand, which this model need not bear out.
+
+    Agree as in `within`; a measurement outside of [low, high] differs, and that is a finding and no fault.
+    """
+    row = within(quantity, measured, error, low, high, source)
+    return row if row.verdict == AGREES else replace(row, verdict=DIFFERS)
 
 
 def likely(quantity, p_value, source):

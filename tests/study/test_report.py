@@ -10,7 +10,7 @@ from game import cli
 from game.study import run, verdict
 from game.study.figures import figure
 from game.study.numerals import measurement, number
-from game.study.report import AGREES, DISAGREES, NOTED, Picture, Table
+from game.study.report import AGREES, DIFFERS, DISAGREES, NOTED, Picture, Table
 
 
 @pytest.mark.parametrize(
@@ -25,6 +25,8 @@ from game.study.report import AGREES, DISAGREES, NOTED, Picture, Table
         (verdict.within("q", 0.9, None, 1, 2, "s"), DISAGREES),
         (verdict.within("q", 0.9, 0.1, 1, 2, "s"), AGREES),
         (verdict.within("q", 5, None, 1, float("inf"), "s"), AGREES),
+        (verdict.claimed("q", 45, 0.1, 30, 35, "s"), DIFFERS),
+        (verdict.claimed("q", 35.3, 0.1, 30, 35, "s"), AGREES),
         (verdict.likely("p", 0.00009, "s"), DISAGREES),
         (verdict.likely("p", 0.5, "s"), AGREES),
         (verdict.noted("q", 1.0), NOTED),
@@ -76,7 +78,7 @@ def test_the_report_has_every_item_and_the_status_follows_the_verdicts(tmp_path,
     assert all(each in text for each in ("A paragraph.", "two \\| deux", "Some figures.", "![A line.](line.png)"))
     found = json.loads((tmp_path / "out" / "study.json").read_text("utf-8"))
     assert found["sections"][0]["rows"][0]["measured"] == measured
-    assert found["verdicts"] == {"agrees": 2 - status, "disagrees": status, "noted": 0}
+    assert found["verdicts"] == {"agrees": 2 - status, "disagrees": status, "differs": 0, "noted": 0}
     assert (tmp_path / "out" / "line.png").stat().st_size > 1000
 
 
