@@ -12,12 +12,18 @@ from pathlib import Path
 
 import numpy as np
 
-from game.study import exact, hard, paper
+from game.study import exact, hard, paper, physics, schedules
 from game.study.console import Desk
 from game.study.report import DISAGREES, Report, Section
 from game.study.writers import write
 
-PARTS = {"exact": exact, "paper": paper, "hard": hard}  # in the order of reading
+PARTS = {
+    "exact": exact,
+    "paper": paper,
+    "schedules": schedules,
+    "hard": hard,
+    "physics": physics,
+}  # in the order of reading
 
 
 @dataclass

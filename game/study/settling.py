@@ -24,8 +24,8 @@ def rows(study):
     table = [(f"{p:g}", each.mean[0], each.error[0], each.mean[0] * p, each.mean[1]) for p, each in found.items()]
     yield (
         "Viscosity is measured by how long a column of sand, one cell wide, takes to come to rest. If p is a friction, "
-        "the angle of the pile at rest depends on p; if it is a viscosity, only the time does: a part for the fall, and "
-        "a part that goes with 1/p."
+        "the angle of the pile at rest depends on p; if it is a viscosity, only the time does: a part for the fall, "
+        "and a part that goes with 1/p."
     )
     yield Table(f"A column of {GRAINS} grains on a floor, the paper's schedule.", heads, table)
     for low, high in ((LOW, MIDDLE), (MIDDLE, HIGH)):
@@ -45,7 +45,7 @@ def _settled(p, runs):
     """Return the Sample of (iterations to rest, final slope) over runs that differ in seed and parity of place."""
     found = []
     for seed in range(runs):
-        world, rule = column(seed % 2, seed), Rule.with_p(p)
+        world, rule = column(GRAINS, seed % 2, seed), Rule.with_p(p)
         moved = 0
         while not world.activity.settled:
             before = world.sand
@@ -55,8 +55,8 @@ def _settled(p, runs):
     return Sample.of(found)
 
 
-def column(shift, seed):
-    """Return a World with one column of GRAINS grains on the floor of a wide lattice."""
-    sand = np.zeros((GRAINS + 2, 2 * GRAINS), bool)
-    sand[2:, GRAINS + shift] = True
+def column(grains, shift, seed):
+    """Return a World with one column of so many grains on the floor of a wide lattice."""
+    sand = np.zeros((grains + 2, grains), bool)
+    sand[2:, grains // 2 + shift] = True
     return World.from_cells(sand, np.zeros_like(sand), seed)
