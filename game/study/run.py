@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from game.study import exact, hard, paper, physics, schedules
+from game.study import exact, hard, paper, physics, schedules, trade
 from game.study.console import Desk
 from game.study.report import DISAGREES, Report, Section
 from game.study.writers import write
@@ -20,6 +20,7 @@ from game.study.writers import write
 PARTS = {
     "exact": exact,
     "paper": paper,
+    "trade": trade,
     "schedules": schedules,
     "hard": hard,
     "physics": physics,

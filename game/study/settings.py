@@ -1,0 +1,106 @@
+"""Settings of chance: bits of p, sources of random bits and numbers of runs, each a series of Points."""
+
+import time
+
+import numpy as np
+
+from game import Rule, advance, load_scene
+from game.study.cheap import FRESH, SOURCES, run_cheaply
+from game.study.points import floor_of, point
+from game.world.forecast import density
+from game.world.knob import RUNS
+
+P = 0.7  # no short binary fraction
+MOMENT = 200  # iterations, as in the paper's density maps
+BITS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
+RUN_NUMBERS = (100, 1_000, 10_000, 100_000)
+ROUNDS = 9
+BITS_SERIES, SOURCE_SERIES, RUN_SERIES = "bits of p", "source of random bits", "runs of a forecast"
+
+
+class Bench:
+    """The paper's glass under balanced, and its density map from very many runs of the exact kernel."""
+
+    def __init__(self, study):
+        scene = load_scene("paper")
+        self.sand, self.walls = scene.sand, scene.walls
+        self.runs, self.reference_runs = study.either(2**17, 2**21), study.either(2**19, 2**23)
+        self.cheap_runs = study.either(1000, 30_000)
+        self.rule = Rule.with_p(P, "balanced")
+        self.reference = self.density(P, self.reference_runs, seed=1)
+
+    def density(self, p, runs, seed):
+        """Return the density map at probability p."""
+        return density(self.sand, self.walls, Rule.with_p(p, "balanced"), MOMENT, runs, seed)
+
+    def floor(self, runs):
+        """Return the statistical floor of a map of so many runs held against the reference."""
+        return floor_of(self.reference, runs, self.reference_runs)
+
+
+def shortened(p, bits):
+    """Return p rounded to so many binary digits."""
+    return round(p * 2**bits) / 2**bits
+
+
+def bits_points(study, bench):
+    """Return the Points of p rounded to fewer bits, the largest number of bits being the default."""
+    costs = _costs_of_bits()
+    points = []
+    for bits in study.track(BITS, "bits of p"):
+        found = bench.density(shortened(P, bits), bench.runs, seed=100 + bits)
+        setting = f"{bits} (p = {shortened(P, bits):.6g})" if bits < 24 else str(bits)
+        floor, cost = bench.floor(bench.runs), costs[bits] / costs[BITS[-1]]
+        points.append(point(BITS_SERIES, setting, found, bench.reference, floor, cost, bits == BITS[-1]))
+    return points, costs[None] / costs[BITS[-1]]
+
+
+def _costs_of_bits():
+    """Return seconds for a large draining glass at each number of bits, and at p = 1 (None)."""
+    scene = load_scene("fullhd")
+    start, best = scene.world(1), dict.fromkeys((*BITS, None), np.inf)
+    advance(start, Rule.with_p(P, "balanced"), 300)
+    for _ in range(ROUNDS):
+        for bits in best:
+            rule, world = Rule.with_p(shortened(P, bits) if bits else 1.0, "balanced"), start.copy()
+            begin = time.perf_counter()
+            advance(world, rule, 100)
+            best[bits] = min(best[bits], time.perf_counter() - begin)
+    return best
+
+
+def source_points(study, bench):
+    """Return (Points of the sources, {source: scatter of the surplus of grains on one side, in grains})."""
+    runs, times, points, scatter = bench.cheap_runs, {}, [], {}
+    run_cheaply(bench.sand, bench.walls, P, bench.rule.offsets, 1, 1, FRESH, 0)  # compiles
+    for words, source in study.track(SOURCES.items(), "sources of random bits"):
+        begin = time.perf_counter()
+        counts, surplus = run_cheaply(bench.sand, bench.walls, P, bench.rule.offsets, MOMENT, runs, source, 3)
+        times[source] = time.perf_counter() - begin
+        cost, scatter[words] = times[source] / times[FRESH], float(surplus.std())
+        found = counts / runs
+        floor = bench.floor(runs)
+        points.append(point(SOURCE_SERIES, words, found, bench.reference, floor, cost, source == FRESH))
+    return points, scatter
+
+
+def run_points(study, bench):
+    """Return the Points of forecasts from fewer and more runs than the default."""
+    times, maps = dict.fromkeys(RUN_NUMBERS, np.inf), {}
+    for runs in study.track(RUN_NUMBERS * 3, "runs"):
+        begin = time.perf_counter()
+        maps[runs] = bench.density(P, runs, seed=4)
+        times[runs] = min(times[runs], time.perf_counter() - begin)
+    default = RUNS.default
+    return [
+        point(
+            RUN_SERIES,
+            f"{runs:,}",
+            found,
+            bench.reference,
+            bench.floor(runs),
+            times[runs] / times[default],
+            runs == default,
+        )
+        for runs, found in maps.items()
+    ]
