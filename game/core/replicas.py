@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.core.chance import iteration_key, mix
+from game.core.chance import iteration_key, mix, seed_stream
 from game.core.jit import gate, kernel
 from game.core.visit import KEYS, SCRATCH, seven_of, visit
 
@@ -74,7 +74,7 @@ def advance_replicas(replicas, offsets, iteration, iterations, chances, done, ro
 
     A visit to a block spends 1 and 1 for each 16 words. Return the (done, row) to resume at; done is `iterations` at
     the end. offsets: (x, y) of the iterations from number
-    `iteration`, a uint64, repeated. chances: what `chance.bit_masks` gives for the seven probabilities.
+    `iteration`, a uint64, repeated. chances: the masks (always, digits) of the rule's `Chance`.
     """
     cells, walls, awake, seeds = replicas
     height, width = awake.shape[0] - 2, awake.shape[1] - 2
@@ -84,7 +84,7 @@ def advance_replicas(replicas, offsets, iteration, iterations, chances, done, ro
     while done < iterations:
         x0, y0 = offsets[done % len(offsets)]
         for k in range(len(seeds)):
-            scratch[KEYS + k] = iteration_key(seeds[k], iteration + np.uint64(done))
+            scratch[KEYS + k] = iteration_key(seed_stream(seeds[k]), iteration + np.uint64(done))
         for y in range(max(row, 1 + y0), height + 1, 2):
             if spent > budget:
                 return done, y

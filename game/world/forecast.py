@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.core.chance import CERTAIN, bit_masks, threshold
+from game.core.chance import CERTAIN, chance_of, threshold
 from game.core.replicas import BITS, advance_replicas, count_replicas, read_states, replicate
 from game.core.visit import MOST_WORDS
 from game.world import knob
@@ -135,4 +135,5 @@ def _bites(group, ensemble, now, iterations, cancelled):
 
 @lru_cache(maxsize=64)
 def _chances(rule):
-    return bit_masks(rule.probabilities)
+    chance = chance_of(rule.probabilities)
+    return chance.always, chance.digits[: chance.draws]

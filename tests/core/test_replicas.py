@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from game import Rule, World, advance
-from game.core.chance import bit_masks
+from game.core.chance import chance_of
 from game.core.replicas import advance_replicas, count_replicas, read_states, replicate
 from game.world.rule import SCHEDULES
 from tests import reference
@@ -23,7 +23,7 @@ def run(group, rule, iterations, start=0, budget=10**9):
     done = row = 0
     while done < iterations:
         done, row = advance_replicas(
-            group, offsets, np.uint64(start), iterations, bit_masks(rule.probabilities), done, row, budget
+            group, offsets, np.uint64(start), iterations, chance_of(rule.probabilities)[:2], done, row, budget
         )
     return group
 
