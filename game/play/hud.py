@@ -48,9 +48,10 @@ class Hud:
         said = f"Paused    {self._left.split('    ')[-1]}" if paused else self._left
         colour = look.ACCENT if self._late and not paused else look.DIM
         key = "F1  all keys"
-        room = words.width - self.theme.width(key, look.SMALL) - px(24)
-        return [
-            (paint.box, tuple(rect), look.SUNKEN, 0),
-            (paint.words, (words.x, words.y, room, words.height), said, look.SMALL, colour, 0),
-            (paint.words, tuple(words), key, look.SMALL, look.FAINT, 1),
+        line = [
+            (paint.fill, tuple(rect), look.SUNKEN),
+            (paint.words, tuple(words), said, look.SMALL, colour, 0),
         ]
+        if self.theme.width(said, look.SMALL) + px(24) + self.theme.width(key, look.SMALL) <= words.width:
+            line.append((paint.words, tuple(words), key, look.SMALL, look.FAINT, 1))
+        return line

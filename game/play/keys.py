@@ -30,13 +30,13 @@ KEYS = (
     Key("P", (pygame.K_p,), "toggle_panel", "hide or show the panel"),
     Key("F11", (pygame.K_F11,), "toggle_fullscreen", "full screen"),
     Key("F1 or ?", (pygame.K_F1, pygame.K_QUESTION), "toggle_help", "this page"),
-    Key("Esc", (pygame.K_ESCAPE,), "escape", "close what is open, then quit"),
+    Key("Esc", (pygame.K_ESCAPE,), "escape", "close, leave, quit"),
 )
 OTHER_WAYS = (  # what is no command of a key
     ("Left button", "paint with the tool"),
     ("Right button", "erase"),
     ("Wheel", "size of the brush"),
-    ("Tab, arrows", "walk the panel, turn its knobs"),
+    ("Tab, arrows", "work the panel"),
 )
 _COMMANDS = {code: key.command for key in KEYS for code in key.codes}
 REPEATING = {"step", "faster", "slower", "smaller_brush", "larger_brush"}  # commands that a held key gives again

@@ -8,7 +8,7 @@ from game.play.ui import theme as look
 
 LINE = 24  # pixels at scale 1
 PAD = 22
-COLUMN = 270  # width of one column of keys
+COLUMN = 290  # width of one column of keys
 
 
 def draw_help(surface, theme, area):
@@ -33,8 +33,8 @@ def draw_help(surface, theme, area):
     for number, (label, meaning) in enumerate(rows):
         column, row = divmod(number, deep)
         x, y = page.x + px(PAD) + column * (wide + px(PAD)), page.y + px(PAD) + line * (row + 1) - line // 4
-        paint.words(surface, theme, (x, y, px(84), line), label, look.BODY, look.ACCENT, 0)
-        paint.words(surface, theme, (x + px(92), y, wide - px(92), line), meaning, look.BODY, look.TEXT, 0)
+        paint.words(surface, theme, (x, y, px(100), line), label, look.BODY, look.ACCENT, 0)
+        paint.words(surface, theme, (x + px(108), y, wide - px(108), line), meaning, look.BODY, look.TEXT, 0)
 
 
 def draw_splash(surface, theme, what, part):

@@ -140,12 +140,12 @@ class Panel:
             toy.toggle_help()
 
 
-def width(theme, window_width):
-    """Return the panel's width in pixels in a window that wide: most of the window stays with the sand."""
-    return min(max(min(theme.px(WIDTH), round(window_width * 0.45)), theme.px(NARROWEST)), window_width * 4 // 5)
+def fitting_scale(ui_scale, window_width):
+    """Return the UI scale, smaller than wanted where the narrowest panel would take more than half of the window."""
+    return max(knob.UI_SCALE.low, min(ui_scale, window_width / (2 * NARROWEST)))
 
 
 def area(theme, window_size):
     """Return the panel's rect in a window of that size."""
-    wide = width(theme, window_size[0])
+    wide = max(min(theme.px(WIDTH), window_size[0] * 9 // 20), theme.px(NARROWEST))
     return pygame.Rect(window_size[0] - wide, 0, wide, window_size[1])

@@ -29,6 +29,7 @@ class Toy:
         self.session = Session(scene, seed)
         if p is not None:
             self.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
+        self.ui_scale = ui_scale
         self.theme = look.Theme(ui_scale)
         self.brush = Brush()
         self.panel = panel.Panel(Ui(self.theme))
@@ -219,6 +220,7 @@ class Toy:
         if (size, shape) == self._size:
             return
         self._size = size, shape
+        self._scale()
         self._panel_area = panel.area(self.theme, size)
         wide = size[0] - (self._panel_area.width if self.panel_shown else 0)
         bar = self.theme.px(hud.HEIGHT)
@@ -232,6 +234,12 @@ class Toy:
         surface.fill(picture.GROUND)
         self._stale, self._hud_drawn = True, None
         self.panel.ui.invalidate()
+
+    def _scale(self):
+        """Keep the UI scale that was asked for, as far as the window leaves room for it."""
+        scale = panel.fitting_scale(self.ui_scale, self.window.size[0])
+        if scale != self.theme.scale:
+            self.theme = self.panel.ui.theme = self.hud.theme = look.Theme(scale)
 
     def _draw(self, now_s):
         """Draw the parts of the window that differ from what is on it; return whether any did."""
