@@ -55,7 +55,7 @@ def _row(size, plan):
     return {
         "size": size,
         "cells": cells,
-        "planes_mb": world.planes.nbytes / 1e6,
+        "planes_mb": _bytes_of(world) / 1e6,
         **found,
         "cell_ps": 1e3 * found["time"].median / cells,
         "gcells": cells / found["time"].median,
@@ -63,6 +63,11 @@ def _row(size, plan):
         "checked": checked,
         "goal": _goal(size, found["time"], found["xor"]),
     }
+
+
+def _bytes_of(world):
+    """Return what the planes of `world` take, and whatever other arrays it keeps."""
+    return sum(getattr(getattr(world, name), "nbytes", 0) for name in world.__slots__)
 
 
 def _goal(size, timing, xor):
