@@ -8,7 +8,7 @@ from game.world.advance import advance
 from game.world.rule import Rule
 
 WORK = 200_000_000  # cells × iterations of one check: the twin takes about a second for them, and longer for chance
-SHORTEST = 4  # iterations: each schedule has then used all its partitions
+SHORTEST = 8  # iterations: each schedule has then used all its partitions twice
 
 
 class WrongCellsError(Exception):

@@ -45,7 +45,7 @@ def scene_table(plan):
     rows = [_row(name, kind, found, checked[name, kind], size) for name, kind in found]
     notes = [
         f"{table.size(size)} cells, {plan.batch} iterations in one call, schedule {SCHEDULE}. The hourglass is the "
-        f"shipped scene drawn at that size, {worlds.PASSED:.0%} of its sand below; settled: all of it there, at rest.",
+        f"shipped scene drawn at that size, about {worlds.PASSED:.0%} of its sand below; settled: all of it there.",
         "Seven at random: every event left to chance, with probabilities "
         f"{', '.join(map(str, RULES[SEVEN].probabilities))}.",
     ]
