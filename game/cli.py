@@ -117,7 +117,7 @@ def _bench(options):
 
     try:
         return command.run(options.quick, options.json, options.out)
-    except (command.MissingLibraryError, OSError) as error:
+    except command.CannotWriteError as error:
         print(f"sandglass bench: {error}", file=sys.stderr)
         return 2
 

@@ -211,6 +211,15 @@ def test_without_matplotlib_out_says_so_before_anything_is_measured(monkeypatch,
     assert said.out == "" and said.err.count("\n") == 1 and "matplotlib" in said.err
 
 
+def test_a_folder_that_cannot_be_made_is_named_before_anything_is_measured(monkeypatch, capsys, tmp_path):
+    pytest.importorskip("matplotlib")
+    monkeypatch.setattr(command, "TABLES", [_no_timing])
+    (tmp_path / "file").touch()
+    assert cli.main(["bench", "--out", str(tmp_path / "file" / "folder")]) == 2
+    said = capsys.readouterr()
+    assert said.out == "" and said.err.count("\n") == 1 and str(tmp_path / "file") in said.err
+
+
 # --- how it is measured ---
 
 

@@ -24,21 +24,21 @@ AGAIN = "python main.py bench"
 PICTURE = "bench.png"
 
 
-class MissingLibraryError(Exception):
-    """The picture needs a library that is not installed; says which and how to get it."""
+class CannotWriteError(Exception):
+    """What was asked for cannot be written; says in one line why, and what to do about it."""
 
 
 def run(quick=False, as_json=False, out=None, plan=None):
     """Run the bench and return the exit status: 0, or 1 where an implementation moved sand elsewhere than the twin.
 
-    out: a folder for the tables as Markdown and JSON and for the picture. Raises MissingLibraryError before anything is
-    measured if the picture cannot be drawn, and OSError if the folder cannot be written.
+    out: a folder for the tables as Markdown and JSON and for the picture. Raises CannotWriteError before anything is
+    measured if the folder cannot be made or the picture not be drawn.
     """
     plan = plan or (QUICK if quick else FULL)
     say = (lambda *_: None) if as_json else partial(print, flush=True)
     picture = _picture() if out else None
     if out:
-        Path(out).mkdir(parents=True, exist_ok=True)
+        _make_folder(out)
     head = machine.line()
     say(f"{head}\n")
     start, tables = time.perf_counter(), []
@@ -89,10 +89,17 @@ def _picture():
     try:
         from game.study.bench import picture
     except ModuleNotFoundError as error:
-        raise MissingLibraryError(
+        raise CannotWriteError(
             f"--out draws a picture and needs {error.name}, which is not installed: pip install 'sandglass[study]'"
         ) from None
     return picture
+
+
+def _make_folder(out):
+    try:
+        Path(out).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise CannotWriteError(f"--out needs a folder that can be written: {error}") from None
 
 
 def _write(folder, head, tables, report, quick, picture):

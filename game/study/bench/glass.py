@@ -24,8 +24,8 @@ def glass_table(plan):
     """Return the time of an iteration of hourglasses in mid-flow for the paper's values of p."""
     rows = [row for size in plan.glass_sizes for row in _rows(size, plan)]
     notes = [
-        f"The shipped hourglass drawn at that size, about {worlds.PASSED:.0%} of its sand below, {plan.batch} iterations "
-        f"in one call. Above {worlds.TALLEST} rows the sand is that of a smaller glass, enlarged, and has then run "
+        f"The shipped hourglass drawn at that size, about {worlds.PASSED:.0%} of its sand below, {plan.batch} "
+        f"iterations in one call. Above {worlds.TALLEST} rows the sand is that of a smaller glass, enlarged, and has then run "
         f"1/{worlds.REST} of the height in iterations."
     ]
     return Table("glass", "3b · What a scene needs: the paper's p, hourglass in mid-flow", COLUMNS, rows, notes)
