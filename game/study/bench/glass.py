@@ -25,8 +25,8 @@ def glass_table(plan):
     rows = [row for size in plan.glass_sizes for row in _rows(size, plan)]
     notes = [
         f"The shipped hourglass drawn at that size, about {worlds.PASSED:.0%} of its sand below, {plan.batch} "
-        f"iterations in one call. Above {worlds.TALLEST} rows the sand is that of a smaller glass, enlarged, and has then run "
-        f"1/{worlds.REST} of the height in iterations."
+        f"iterations in one call. Above {worlds.TALLEST} rows the sand is that of a smaller glass, enlarged, and has "
+        f"then run 1/{worlds.REST} of the height in iterations.",
     ]
     return Table("glass", "3b · What a scene needs: the paper's p, hourglass in mid-flow", COLUMNS, rows, notes)
 
