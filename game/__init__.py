@@ -17,14 +17,16 @@ Nothing here needs a display, so the sand can live in another program or game en
 World      cells, iteration and seed: `from_cells`, `sand`, `walls`, `grains`, `flip`, `copy`, `digest`.
 Rule       seven probabilities and a schedule; `Rule.with_p(p)` is the paper's one-parameter rule.
 advance    runs iterations of a rule on a world, in place.
+density    the chance of sand in each cell after some iterations, from many runs at once.
 Scene      a world, rule and pace read from a file by `load_scene`, by the name of a shipped scene or by path.
 
 The model is that of Devlin & Schuster, "Probabilistic Cellular Automata for Granular Media in Video Games" (2020).
 """
 
 from game.world.advance import advance
+from game.world.forecast import density
 from game.world.rule import Rule
 from game.world.scene import Scene, SceneError, load_scene, scene_names
 from game.world.world import World
 
-__all__ = ["Rule", "Scene", "SceneError", "World", "advance", "load_scene", "scene_names"]
+__all__ = ["Rule", "Scene", "SceneError", "World", "advance", "density", "load_scene", "scene_names"]

@@ -19,7 +19,8 @@ def main(arguments=None):
     arguments = sys.argv[1:] if arguments is None else list(arguments)
     try:
         if arguments[:1] == ["headless"]:
-            return _headless(_headless_parser().parse_args(arguments[1:]))
+            options = _headless_parser().parse_args(arguments[1:])
+            return _headless(options) if options.replay is None else _replay(options)
         if arguments[:1] == ["bench"]:
             return _bench(_bench_parser().parse_args(arguments[1:]))
         return _play(_play_parser().parse_args(arguments))
@@ -78,6 +79,7 @@ def _headless_parser():
     _scene_options(parser)
     parser.add_argument("--frames", type=_setting(knob.FRAMES), default=knob.FRAMES.default, help=knob.FRAMES.meaning)
     parser.add_argument("--json", action="store_true", help="print one JSON object")
+    parser.add_argument("--replay", metavar="FILE", help="compute a recorded session to its end instead")
     return parser
 
 
@@ -110,6 +112,22 @@ def _headless(options):
     report = headless.run(_load(options), options.frames, options.p, options.seed)
     print(headless.text(report, options.json))
     return headless.status(report)
+
+
+def _replay(options):
+    from game import headless
+    from game.world.replay import ReplayError, load_replay
+
+    try:
+        recording = load_replay(options.replay)
+    except ReplayError as error:
+        print(f"sandglass: {error}", file=sys.stderr)
+        return 2
+    if recording.problem:
+        print(f"sandglass: {recording.problem}", file=sys.stderr)
+    report = headless.replay(recording)
+    print(headless.replay_text(report, options.json))
+    return headless.replay_status(report)
 
 
 def _bench(options):

@@ -44,6 +44,49 @@ def _frame(session, painter, pixels, flip):
     return (time.perf_counter_ns() - start) / 1e6
 
 
+def replay(recording):
+    """Compute a Recording to its end and return the report as a dict."""
+    start = time.perf_counter_ns()
+    session = Session.retold(recording)
+    session.seek(recording.end)
+    took_ms = (time.perf_counter_ns() - start) / 1e6
+    account, digest = session.account, session.world.digest()
+    return {
+        "scene": session.scene.name,
+        "cells": session.world.shape[0] * session.world.shape[1],
+        "acts": len(session.timeline.history.story()),
+        "iterations": session.now,
+        "grains_start": account.start,
+        "grains_painted": account.painted,
+        "grains_erased": account.erased,
+        "grains_end": session.world.grains,
+        "digest": digest,
+        "digest_wanted": recording.digest or None,
+        "same": recording.problem is None and recording.digest in ("", digest),
+        "ms": took_ms,
+    }
+
+
+def replay_status(report):
+    """Return the exit status: 1 if the end is not the one recorded, or grains were made or lost."""
+    expected = report["grains_start"] + report["grains_painted"] - report["grains_erased"]
+    return 0 if report["same"] and report["grains_end"] == expected else 1
+
+
+def replay_text(report, as_json=False):
+    """Return a replay's report as one JSON object or as a short table."""
+    if as_json:
+        return json.dumps(report)
+    rows = {
+        "scene": f"{report['scene']}, {report['cells']:,} cells",
+        "replay": f"{report['acts']:,} acts, {report['iterations']:,} iterations in {report['ms']:.0f} ms",
+        "grains": f"{report['grains_start']:,} at the start + {report['grains_painted']:,} painted"
+        f" - {report['grains_erased']:,} erased, {report['grains_end']:,} at the end",
+        "digest": f"{report['digest']}: {'as recorded' if report['same'] else 'not as recorded'}",
+    }
+    return "\n".join(f"{name:<8}{value}" for name, value in rows.items())
+
+
 def _report(session, grains_start, times):
     median = statistics.median(times)
     budget = BUDGET_NS / 1e6

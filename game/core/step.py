@@ -1,203 +1,314 @@
 """One iteration, and batches of them, on striped planes: a kernel for each kind of rule.
 
-An iteration goes down the lattice chunk by chunk. In a chunk a first pass over all words makes the moves that are
-certain and notes the candidates, blocks whose event is left to chance; a second pass visits only words with candidates
-and draws.
+An iteration goes down the lattice band by band. In a band a first pass over all words makes the moves that are certain
+and flags words with candidates, blocks whose event is left to chance; a second pass visits only those and draws. Bands
+in which nothing can move are left alone.
+
+All planes are one flat array here, and a corner is the place in it where its words start: eight arrays in its stead
+made each call five times as dear, since the compiler then has every pair of them checked for overlap.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 
 from game.core.block import events
-from game.core.chance import iteration_key, random_word
+from game.core.chance import STAGE, iteration_key, random_word, seed_stream
 from game.core.jit import gate, kernel
 from game.core.planes import SHIFTED_WALLS, WALLS
 
-CHUNK = 512  # words whose candidates wait in a buffer: 4 KiB, so that they stay in the first cache
+BAND = 1024  # words of blocks in a band, about: with less, calls cost more than work; with more, less can be skipped
+IN_CACHE = 8192  # words of blocks that bands in flight may have together: with walls 1/2 MiB, for the second cache
+CROWD = 16  # where more than one word in so many has candidates, drawing for all words at once is cheaper
+NONE_YET = np.int64(0)  # draws made; typed, since numba compiles everything anew for a literal 0
+CYCLE = 4  # iterations until every partition of a schedule has had its turn
 
 _ZERO = np.uint64(0)
-_ONE = np.uint64(1)
+_ONE, _TWO, _THREE, _SEVEN = np.uint64(1), np.uint64(2), np.uint64(3), np.uint64(7)
+_FULL = np.uint64(2**64 - 1)
+
+
+class Room(NamedTuple):
+    """Working memory for the words of one band."""
+
+    flags: np.ndarray  # uint8: the word has candidates; padded to whole groups of eight
+    undecided: np.ndarray  # uint64: the candidates of the word that draws so far left undecided
+
+
+class Corners(NamedTuple):
+    """Where the words at the four corners of the blocks start in the flat planes: sand, then walls."""
+
+    a: np.uint64
+    b: np.uint64
+    c: np.uint64
+    d: np.uint64
+    wa: np.uint64
+    wb: np.uint64
+    wc: np.uint64
+    wd: np.uint64
 
 
 @gate
-def corners(planes, stride, x, y, first, size):
-    """Return sand and walls, a b c d each, of the `size` words of blocks from `first` in the partition at (x, y)."""
+def corners(length, stride, x, y, first):
+    """Return the Corners of the words of blocks from `first` in the partition at (x, y); a plane has `length` words."""
     upper, lower = 2 * y, 2 - 2 * y
-    below, right = first + y * stride + size, first + x + size
-    below_right = below + x
-    left_walls = WALLS + x
+    below = first + y * stride
     right_walls_above = SHIFTED_WALLS + y if x else WALLS + upper + 1
     right_walls_below = SHIFTED_WALLS + 1 - y if x else WALLS + lower + 1
-    return (
-        planes[upper + x, first : first + size],
-        planes[upper + 1 - x, right - size : right],
-        planes[lower + x, below - size : below],
-        planes[lower + 1 - x, below_right - size : below_right],
-        planes[left_walls + upper, first : first + size],
-        planes[right_walls_above, right - size : right],
-        planes[left_walls + lower, below - size : below],
-        planes[right_walls_below, below_right - size : below_right],
+    return Corners(
+        np.uint64((upper + x) * length + first),
+        np.uint64((upper + 1 - x) * length + first + x),
+        np.uint64((lower + x) * length + below),
+        np.uint64((lower + 1 - x) * length + below + x),
+        np.uint64((WALLS + upper + x) * length + first),
+        np.uint64(right_walls_above * length + first + x),
+        np.uint64((WALLS + lower + x) * length + below),
+        np.uint64(right_walls_below * length + below + x),
     )
 
 
 @gate
-def open_seams(planes, rows, stride):
-    """Give the last word of each row its right-hand neighbours, before an iteration with odd x."""
-    for parity in range(2):
-        even = planes[2 * parity]
-        for start in range(0, rows * stride, stride):
-            even[start + stride - 1] = even[start] >> _ONE
+def corner_words(planes, at, i):
+    """Return word i of sand at the corners a b c d, then of what is occupied there."""
+    a, b, c, d = planes[at.a + i], planes[at.b + i], planes[at.c + i], planes[at.d + i]
+    return a, b, c, d, a | planes[at.wa + i], b | planes[at.wb + i], c | planes[at.wc + i], d | planes[at.wd + i]
 
 
 @gate
-def close_seams(planes, rows, stride):
-    """Take what the iteration made of the seams back into the first words; column 0 belonged to no block."""
-    for parity in range(2):
-        even = planes[2 * parity]
-        for start in range(0, rows * stride, stride):
-            even[start] = (even[start + stride - 1] << _ONE) | (even[start] & _ONE)
+def put(planes, at, i, a, b, c, d):
+    """Write word i of sand at the corners."""
+    planes[at.a + i] = a
+    planes[at.b + i] = b
+    planes[at.c + i] = c
+    planes[at.d + i] = d
 
 
 @gate
-def move_certain(a, b, c, d, wa, wb, wc, wd):
-    """Move every grain that can move, in place."""
-    for i in range(a.size):
-        fl, fr, tl, tr = events(a[i], b[i], a[i] | wa[i], b[i] | wb[i], c[i] | wc[i], d[i] | wd[i])
-        a[i] ^= fl | tr
-        b[i] ^= fr | tl
-        c[i] ^= fl | tl
-        d[i] ^= fr | tr
+def move_certain(planes, at, size):
+    """Move every grain that can move, in place; return whether there is any."""
+    moved = _ZERO
+    for i in range(size):
+        a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
+        fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
+        put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
+        moved |= fl | fr | tl | tr
+    return moved != _ZERO
 
 
 @gate
-def fall_all(a, b, c, d, wa, wb, wc, wd, candidates):
-    """Let every free column fall, in place; note the topples in `candidates` and return whether there are any."""
-    some = _ZERO
-    for i in range(a.size):
-        fl, fr, tl, tr = events(a[i], b[i], a[i] | wa[i], b[i] | wb[i], c[i] | wc[i], d[i] | wd[i])
-        a[i] ^= fl
-        b[i] ^= fr
-        c[i] ^= fl
-        d[i] ^= fr
-        candidates[i] = tl | tr
-        some |= tl | tr
-    return some != _ZERO
+def certain_falls(fl, fr, oa, ob, oc, od, seven):
+    """Return which falls are not left to chance: all of them, or with `seven` those of lone grains."""
+    if seven is None:
+        return fl, fr
+    return fl & ~(ob | od), fr & ~(oa | oc)
 
 
 @gate
-def fall_alone(a, b, c, d, wa, wb, wc, wd, candidates):
-    """Let lone grains fall, in place; note every other event in `candidates` and return whether there are any."""
-    some = _ZERO
-    for i in range(a.size):
-        oa, ob, oc, od = a[i] | wa[i], b[i] | wb[i], c[i] | wc[i], d[i] | wd[i]
-        fl, fr, tl, tr = events(a[i], b[i], oa, ob, oc, od)
-        alone_left, alone_right = fl & ~(ob | od), fr & ~(oa | oc)
-        a[i] ^= alone_left
-        b[i] ^= alone_right
-        c[i] ^= alone_left
-        d[i] ^= alone_right
-        candidates[i] = (fl ^ alone_left) | (fr ^ alone_right) | tl | tr
-        some |= candidates[i]
-    return some != _ZERO
+def fall(planes, at, size, flags, seven):
+    """Make the certain falls, in place, and flag the words with candidates.
+
+    Return whether anything fell and how many words are flagged. What fell has left no new candidate behind.
+    """
+    fell, flagged = _ZERO, _ZERO
+    for i in range(size):
+        a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
+        fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
+        left, right = certain_falls(fl, fr, oa, ob, oc, od, seven)
+        put(planes, at, i, a ^ left, b ^ right, c ^ left, d ^ right)
+        has_candidates = ((fl ^ left) | (fr ^ right) | tl | tr) != _ZERO
+        flags[i] = np.uint8(has_candidates)
+        fell |= left | right
+        flagged += np.uint64(has_candidates)
+    return fell != _ZERO, flagged
 
 
 @gate
-def topple_some(a, b, c, d, candidates, first, key, always, bits):
-    """Let each candidate topple with its probability, in place."""
-    for i in range(a.size):
-        rest = candidates[i]
-        if rest == _ZERO:
-            continue
-        left, right = rest & b[i], rest & a[i]
-        accepted = (left & always[0]) | (right & always[1])
-        rest &= ~accepted
-        for draw in range(len(bits)):
-            if rest == _ZERO:
-                break
-            random = random_word(key, np.uint64(first + i), np.uint64(draw))
-            digit = (left & bits[draw, 0]) | (right & bits[draw, 1])
-            accepted |= rest & digit & ~random
-            rest &= ~(random ^ digit)
-        left &= accepted
-        right &= accepted
-        a[i] ^= right
-        b[i] ^= left
-        c[i] ^= left
-        d[i] ^= right
-
-
-@gate
-def move_some(a, b, c, d, wa, wb, wc, wd, candidates, first, key, always, bits):
-    """Let each candidate's event happen with its probability, in place."""
-    for i in range(a.size):
-        rest = candidates[i]
-        if rest == _ZERO:
-            continue
-        oa, ob, oc, od = a[i] | wa[i], b[i] | wb[i], c[i] | wc[i], d[i] | wd[i]
-        fl, fr, tl, tr = events(a[i], b[i], oa, ob, oc, od)
-        kinds = (
-            tl,
-            tr,
-            (fl & ob & ~od) | (fr & oa & ~oc),
-            fl & ~ob & od,
-            fr & ~oa & oc,
-            fl & ob & od,
-            fr & oa & oc,
-        )
-        accepted = chosen(kinds, always)
-        rest &= ~accepted
-        for draw in range(len(bits)):
-            if rest == _ZERO:
-                break
-            random = random_word(key, np.uint64(first + i), np.uint64(draw))
-            digit = chosen(kinds, bits[draw])
-            accepted |= rest & digit & ~random
-            rest &= ~(random ^ digit)
-        a[i] ^= accepted & (fl | tr)
-        b[i] ^= accepted & (fr | tl)
-        c[i] ^= accepted & (fl | tl)
-        d[i] ^= accepted & (fr | tr)
+def kinds_of(fl, fr, tl, tr, oa, ob, oc, od, seven):
+    """Return the blocks of each kind of event left to chance, in the order of the rule's probabilities."""
+    if seven is None:
+        return tl, tr, _ZERO, _ZERO, _ZERO, _ZERO, _ZERO
+    pair = (fl & ob & ~od) | (fr & oa & ~oc)
+    return tl, tr, pair, fl & ~ob & od, fr & ~oa & oc, fl & ob & od, fr & oa & oc
 
 
 @gate
 def chosen(kinds, masks):
     """Return the blocks whose kind of event has its mask set."""
-    found = _ZERO
-    for kind in range(7):
-        found |= kinds[kind] & masks[kind]
-    return found
+    topples = (kinds[0] & masks[0]) | (kinds[1] & masks[1])
+    low = (kinds[3] & masks[3]) | (kinds[4] & masks[4])
+    full = (kinds[5] & masks[5]) | (kinds[6] & masks[6])
+    return topples | (kinds[2] & masks[2]) | low | full
 
 
 @gate
-def move_chunk(planes, stride, x, y, first, size, key, buffer, topples, all_seven):
-    """Move the sand in `size` words of blocks from `first`, in place."""
-    a, b, c, d, wa, wb, wc, wd = corners(planes, stride, x, y, first, size)
-    candidates = buffer[:size]
-    if topples is not None:
-        if fall_all(a, b, c, d, wa, wb, wc, wd, candidates):
-            topple_some(a, b, c, d, candidates, first, key, topples[0], topples[1])
-    elif all_seven is not None:
-        if fall_alone(a, b, c, d, wa, wb, wc, wd, candidates):
-            move_some(a, b, c, d, wa, wb, wc, wd, candidates, first, key, all_seven[0], all_seven[1])
-    else:
-        move_certain(a, b, c, d, wa, wb, wc, wd)
+def compare(random, digit, accepted, rest):
+    """Compare one more binary digit of uniform numbers with that of p: return who is accepted and who undecided."""
+    return accepted | (rest & digit & ~random), rest & ~(random ^ digit)
+
+
+@gate
+def masks_of(row):
+    """Return a row of masks as a tuple: values, which no store to the planes can change under the compiler's eyes."""
+    return row[0], row[1], row[2], row[3], row[4], row[5], row[6]
+
+
+@gate
+def stage_of(digits, draw):
+    """Return the masks of the STAGE draws from `draw` on."""
+    return masks_of(digits[draw]), masks_of(digits[draw + 1]), masks_of(digits[draw + 2]), masks_of(digits[draw + 3])
+
+
+@gate
+def draw_stage(stage, kinds, place, draw, key, accepted, rest):
+    """Make STAGE draws at once for the candidates `rest`; return who is accepted by now and who undecided."""
+    accepted, rest = compare(random_word(key, place, draw), chosen(kinds, stage[0]), accepted, rest)
+    accepted, rest = compare(random_word(key, place, draw + _ONE), chosen(kinds, stage[1]), accepted, rest)
+    accepted, rest = compare(random_word(key, place, draw + _TWO), chosen(kinds, stage[2]), accepted, rest)
+    return compare(random_word(key, place, draw + _THREE), chosen(kinds, stage[3]), accepted, rest)
+
+
+@gate
+def draw_few(planes, at, i, rest, first_draw, place, key, chance, seven):
+    """Decide the candidates `rest` of word i from `first_draw` on, and move those accepted, in place."""
+    a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
+    fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
+    kinds = kinds_of(fl, fr, tl, tr, oa, ob, oc, od, seven)
+    rest &= fl | fr | tl | tr
+    accepted = rest & chosen(kinds, masks_of(chance.always))
+    rest &= ~accepted
+    draw = first_draw
+    while rest != _ZERO and draw < chance.draws:
+        stage = stage_of(chance.digits, draw)
+        accepted, rest = draw_stage(stage, kinds, place + i, np.uint64(draw), key, accepted, rest)
+        draw += STAGE
+    fl, fr, tl, tr = fl & accepted, fr & accepted, tl & accepted, tr & accepted
+    put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
+
+
+@gate
+def draw_many(planes, at, size, undecided, first_draw, place, key, chance, seven):
+    """Make STAGE draws for the candidates of all words, from `first_draw` on, and move those accepted, in place.
+
+    Return how many words have candidates left over, which are in `undecided`, as those of the stage before are. The
+    loop has no branches, so that eight words are worked out at a time.
+    """
+    fresh = _FULL if first_draw == 0 else _ZERO  # before the first draw all candidates are undecided
+    always, stage, left_over = masks_of(chance.always), stage_of(chance.digits, first_draw), _ZERO
+    draw = np.uint64(first_draw)
+    for i in range(size):
+        a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
+        fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
+        kinds = kinds_of(fl, fr, tl, tr, oa, ob, oc, od, seven)
+        rest = (fl | fr | tl | tr) & (undecided[i] | fresh)
+        accepted = rest & chosen(kinds, always)
+        accepted, rest = draw_stage(stage, kinds, place + i, draw, key, accepted, rest & ~accepted)
+        fl, fr, tl, tr = fl & accepted, fr & accepted, tl & accepted, tr & accepted
+        put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
+        undecided[i] = rest
+        left_over += np.uint64(rest != _ZERO)
+    return left_over
+
+
+@gate
+def move_by_chance(planes, at, size, place, room, key, chance, seven):
+    """Move the sand in `size` words of blocks, in place; return whether there was an event, or could have been one."""
+    fell, flagged = fall(planes, at, size, room.flags, seven)
+    draw, words = NONE_YET, flagged
+    while words * CROWD > size and draw < chance.draws:
+        words = draw_many(planes, at, size, room.undecided, draw, place, key, chance, seven)
+        draw += STAGE
+    if draw and words and draw < chance.draws:
+        for i in range(size):
+            if room.undecided[i] != _ZERO:
+                draw_few(planes, at, i, room.undecided[i], draw, place, key, chance, seven)
+    elif words and not draw:
+        groups = room.flags.view(np.uint64)
+        for group in range((size + _SEVEN) >> _THREE):
+            if groups[group] != _ZERO:
+                for i in range(group << _THREE, min((group + _ONE) << _THREE, size)):
+                    if room.flags[i]:
+                        draw_few(planes, at, i, _FULL, draw, place, key, chance, seven)
+    return fell or flagged != _ZERO
+
+
+@gate
+def open_seams(planes, upper, lower, rows, stride):
+    """Give the last word of each row its right-hand neighbours, before an iteration with odd x.
+
+    upper, lower: where the rows start in two planes of even columns.
+    """
+    seam = np.uint64(stride - 1)
+    for row in range(rows):
+        i, j = upper + np.uint64(row * stride), lower + np.uint64(row * stride)
+        planes[i + seam] = planes[i] >> _ONE
+        planes[j + seam] = planes[j] >> _ONE
+
+
+@gate
+def close_seams(planes, upper, lower, rows, stride):
+    """Take what the iteration made of the seams back into the first words; column 0 belonged to no block."""
+    seam = np.uint64(stride - 1)
+    for row in range(rows):
+        i, j = upper + np.uint64(row * stride), lower + np.uint64(row * stride)
+        planes[i] = (planes[i + seam] << _ONE) | (planes[i] & _ONE)
+        planes[j] = (planes[j + seam] << _ONE) | (planes[j] & _ONE)
+
+
+@gate
+def move_band(planes, length, stride, x, y, first_row, rows, room, key, certain, chance, seven):
+    """Run one iteration on the `rows` plane rows from `first_row`, in place; return whether anything stirred."""
+    first, size = first_row * stride, np.uint64(rows * stride)
+    at = corners(length, stride, x, y, first)
+    upper, lower = at.b - _ONE, at.d - _ONE
+    if x:
+        open_seams(planes, upper, lower, rows, stride)
+    stirred = False
+    if certain is not None:
+        stirred = move_certain(planes, at, size)
+    if chance is not None:
+        stirred = move_by_chance(planes, at, size, np.uint64(first), room, key, chance, seven)
+    if x and stirred:
+        close_seams(planes, upper, lower, rows, stride)
+    return stirred
+
+
+@gate
+def is_still(quiet, band):
+    """Say whether a band and its neighbours were quiet for a whole cycle: then nothing can move in it."""
+    above, below = max(band - 1, 0), min(band + 1, len(quiet) - 1)
+    return quiet[above] >= CYCLE and quiet[band] >= CYCLE and quiet[below] >= CYCLE
 
 
 @kernel
-def advance_planes(planes, rows, stride, offsets, seed, iteration, iterations, topples, all_seven):
+def advance_planes(planes, shape, quiet, changed, stamp, offsets, seed, iteration, iterations, certain, chance, seven):
     """Run a batch of iterations in place.
 
-    offsets: (x, y) of the first iterations, repeated. seed, iteration: uint64. topples, all_seven: what
-    `chance.bit_masks` gives for (topple_left, topple_right) or for all seven probabilities, where the rule leaves them
-    to chance; else None, and then the code for them is not even compiled.
+    planes: all of them, flat. shape: (words in a plane, plane rows, stride, plane rows in a band). quiet, changed: a
+    value for each band, see `world.Activity`; what stirs is stamped. offsets: (x, y) of the first iterations, repeated.
+    seed, iteration: uint64. The code for what is None is not even compiled: certain, unless every event is; chance, the
+    rule's `Chance`, unless one is not; seven, unless falls are left to chance as well as topples.
+
+    Iterations are skewed: a band runs through several of them while it is in the cache, each one band further up than
+    the one before, since what happens in a band depends on that band and the one below, an iteration earlier.
     """
-    buffer = np.empty(CHUNK, np.uint64)
-    for t in range(iterations):
-        x, y = offsets[t % len(offsets)]
-        key = iteration_key(seed, iteration + np.uint64(t))
-        words = (rows - y) * stride
-        if x:
-            open_seams(planes, rows, stride)
-        for first in range(0, words, CHUNK):
-            move_chunk(planes, stride, x, y, first, min(CHUNK, words - first), key, buffer, topples, all_seven)
-        if x:
-            close_seams(planes, rows, stride)
+    length, rows, stride, band_rows = shape
+    room = Room(np.empty(-(-band_rows * stride // 8) * 8, np.uint8), np.empty(band_rows * stride, np.uint64))
+    skew = max(1, IN_CACHE // (band_rows * stride))
+    stream, bands = seed_stream(seed), len(quiet)
+    for start in range(0, iterations, skew):
+        depth = min(skew, iterations - start)
+        for front in range(bands + depth - 1):
+            for k in range(max(0, front - bands + 1), min(depth, front + 1)):
+                band = front - k
+                if is_still(quiet, band):
+                    continue
+                t = start + k
+                x, y = offsets[t % len(offsets)]
+                first_row = band * band_rows
+                here = min(band_rows, rows - y - first_row)
+                key = iteration_key(stream, iteration + np.uint64(t))
+                if move_band(planes, length, stride, x, y, first_row, here, room, key, certain, chance, seven):
+                    quiet[band] = 0
+                    changed[band] = stamp
+                else:
+                    quiet[band] = min(quiet[band] + 1, CYCLE)

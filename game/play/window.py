@@ -1,5 +1,6 @@
 """The window: opening it, its size, its pixels, and showing them by the cheapest way this machine has."""
 
+import gc
 import os
 import statistics
 import sys
@@ -58,11 +59,13 @@ class Window:
 
     def paint(self, draw):
         """Call `draw` with the window's pixels: an (h, w) uint32 array over the surface, valid only during the call."""
+        draw(self._pixels())
+        if self.surface.get_locked():
+            gc.collect()  # a kernel that was compiled meanwhile left a cycle behind that holds the pixels
+
+    def _pixels(self):
         surface = self.surface
-        width, height = surface.get_size()
-        view = surface.get_buffer()
-        pixels = np.frombuffer(view, np.uint32).reshape(height, surface.get_pitch() // 4)
-        draw(pixels[:, :width] if pixels.shape[1] == width else pixels)
+        return np.frombuffer(surface.get_buffer(), np.uint32).reshape(surface.get_height(), surface.get_pitch() // 4)
 
     def show(self):
         """Bring what was drawn to the screen."""

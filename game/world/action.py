@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from game.core import brush, planes
+from game.core import brush
 from game.world.rule import Rule
 from game.world.scene import Scene
 
@@ -48,38 +48,30 @@ class Load:
 
 def apply(action, world, rule):
     """Return (world, rule) after `action`; the world given is changed in place or replaced."""
+    return perform(action, world, rule)[:2]
+
+
+def perform(action, world, rule):
+    """Return (world, rule, change) as `apply` does; change: grains that the act put into the world given, or took."""
+    change = 0
     match action:
         case Paint():
-            _paint(action, world)
+            start, end = snap(action.start, action.diameter), snap(action.end, action.diameter)
+            change = world.stroke(start, end, action.diameter, MATERIALS[action.material], action.over_walls)
         case Flip():
             world.flip()
         case Clear():
-            world.planes[planes.SAND : planes.WALLS] = 0
+            change = -world.grains
+            world.clear()
         case SetRule():
             rule = action.rule
         case Load():
             world, rule = action.scene.world(action.seed), action.scene.rule
         case _:
             raise TypeError(f"not an action: {action!r}")
-    return world, rule
+    return world, rule, change
 
 
 def snap(place, diameter):
     """Return the nearest place to centre a brush of `diameter` cells: a cell's middle if odd, a corner if even."""
     return tuple(math.floor(part) + 0.5 if diameter % 2 else float(round(part)) for part in place)
-
-
-def _paint(action, world):
-    where = world.layout
-    start, end = snap(action.start, action.diameter), snap(action.end, action.diameter)
-    brush.stroke(
-        world.planes,
-        where.height,
-        where.width,
-        where.words,
-        *start,
-        *end,
-        action.diameter / 2,
-        MATERIALS[action.material],
-        action.over_walls,
-    )

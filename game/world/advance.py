@@ -4,7 +4,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from game.core.chance import bit_masks
+from game.core.chance import chance_of
 from game.core.step import advance_planes
 from game.world import knob
 
@@ -20,27 +20,31 @@ def advance(world, rule, iterations):
     iterations = knob.ITERATIONS.check(iterations)
     offsets = np.array(rule.offsets, np.int64)
     phase = world.iteration % len(offsets)
-    topples, all_seven = chances(rule)
-    where = world.layout
+    certain, chance, seven = needs(rule)
+    where, activity = world.layout, world.activity
+    activity.expect(rule.schedule, world.iteration)
     advance_planes(
-        world.planes,
-        where.rows,
-        where.stride,
+        world.planes.reshape(-1),
+        (where.length, where.rows, where.stride, activity.band_rows),
+        activity.quiet,
+        activity.changed,
+        activity.stamp,
         np.roll(offsets, -phase, axis=0),
         np.uint64(world.seed),
         np.uint64(world.iteration & _MASK),
         iterations,
-        topples,
-        all_seven,
+        certain,
+        chance,
+        seven,
     )
     world.iteration += iterations
+    activity.iteration = world.iteration
 
 
 @lru_cache(maxsize=64)
-def chances(rule):
-    """Return the rule's (topples, all_seven) for `advance_planes`: None where nothing is left to chance."""
+def needs(rule):
+    """Return the (certain, chance, seven) that `advance_planes` needs for the rule."""
     if all(p == 1.0 for p in rule.probabilities):
-        return None, None
-    if all(p == 1.0 for p in rule.probabilities[2:]):
-        return bit_masks(rule.probabilities[:2]), None
-    return None, bit_masks(rule.probabilities)
+        return True, None, None
+    only_topples = all(p == 1.0 for p in rule.probabilities[2:])
+    return None, chance_of(rule.probabilities), None if only_topples else True

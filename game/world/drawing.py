@@ -56,7 +56,7 @@ def painted_cells(table, folder):
     except Exception as error:  # Pillow's decoders raise whatever a damaged file makes them trip over
         found = "too many pixels" if isinstance(error, Image.DecompressionBombError) else f"an unreadable {name!r}"
         raise table.error("picture", found, f"a {', '.join(FORMATS)} of at most {PICTURE_SIZE}") from None
-    return np.concatenate([_nearest_materials(rows) for rows in np.array_split(pixels, len(pixels) // 64 + 1)])
+    return np.concatenate([nearest_materials(rows) for rows in np.array_split(pixels, len(pixels) // 64 + 1)])
 
 
 def _check_size(table, width, height):
@@ -64,7 +64,7 @@ def _check_size(table, width, height):
         raise table.error("picture", f"{width}×{height} pixels", f"at most {PICTURE_SIZE}")
 
 
-def _nearest_materials(pixels):
+def nearest_materials(pixels):
     """Return the material of each RGBA pixel: the one whose colour is nearest; what is see-through is empty."""
     colours = pixels[..., :3].astype(np.int32)
     distances = [((colours - colour) ** 2).sum(axis=-1) for colour in COLOURS]

@@ -34,6 +34,7 @@ class Scene:
     rule: Rule
     speed: float  # iterations per second
     cell: int  # pixels across one cell
+    shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
 
     @property
     def shape(self):
@@ -68,6 +69,7 @@ def load_scene(name_or_path, size=None):
         rule=rule,
         speed=table.number("speed", knob.SPEED, knob.SPEED.default),
         cell=table.number("cell", knob.CELL, knob.CELL.default),
+        shipped=path.parent == asset("scenes"),
     )
 
 

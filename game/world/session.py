@@ -1,57 +1,132 @@
-"""A scene being played: world, rule and clock. The window and the headless run go through the same frames."""
+"""A session: a scene being played, its clock and its timeline. The window and the headless run play the same frames."""
 
-import time
-
-from game.world.action import Load, apply
-from game.world.advance import advance
+from game.world import knob
+from game.world.action import Load
 from game.world.clock import Clock
+from game.world.history import REDO, UNDO, WAIT, Entry
+from game.world.saving import FileError
+from game.world.timeline import Timeline
 
 BUDGET_NS = 16_000_000  # what a frame may take, 60 of them being shown in a second
-SLICE_NS = 1_000_000  # how much work is done between two looks at the time; more overruns the budget, less costs calls
 
 
 class Session:
-    """A world that runs in frames and takes actions."""
+    """A world that runs in frames and takes actions, and whose time can be turned back."""
 
-    def __init__(self, scene, seed=0):
-        self.scene = scene
-        self.seed = seed
+    def __init__(self, scene, seed=0, memory_mb=knob.MEMORY.default):
+        self.timeline = Timeline(scene, seed, memory_mb)
         self.paused = False
         self.clock = Clock(scene.speed)
-        self.world, self.rule = scene.world(seed), scene.rule
         self.due = self.done = 0  # iterations of the last frame: wanted, and run
-        self._iteration_ns = 0.0  # what one iteration took lately
+        self.journal = None  # the Journal that hears of every act, if any
+        self.trouble = None  # why the journal has stopped, in one line; the sand goes on
+        self._paced = scene  # whose pace the clock keeps
 
-    def do(self, action):
-        """Apply an action to the world and the rule."""
+    @classmethod
+    def retold(cls, recording, memory_mb=knob.MEMORY.default):
+        """Return the session of a Recording, at its beginning, with all that was done ahead of it."""
+        session = cls(recording.scene, recording.seed, memory_mb)
+        session.timeline.retell(recording.entries)
+        return session
+
+    @property
+    def world(self):
+        """The World of this moment: another object after a seek, an undo or a load."""
+        return self.timeline.moment.world
+
+    @property
+    def rule(self):
+        """How sand moves now."""
+        return self.timeline.moment.rule
+
+    @property
+    def scene(self):
+        """The scene loaded last."""
+        return self.timeline.moment.scene
+
+    @property
+    def seed(self):
+        """The seed of the world."""
+        return self.world.seed
+
+    @property
+    def account(self):
+        """The audit's books since the scene was loaded: `account.balanced(world)` must hold."""
+        return self.timeline.moment.account
+
+    @property
+    def now(self):
+        """Iterations since the session began, loads included."""
+        return self.timeline.now
+
+    @property
+    def reached(self):
+        """The latest iteration known: where a slider of time ends."""
+        return self.timeline.reached
+
+    def do(self, action, join=False):
+        """Apply an action to the world and the rule; `join` makes it one with the act before, for undo."""
+        entry = self.timeline.do(action, join)
+        if entry:
+            self._note(entry)
         if isinstance(action, Load):
-            self.scene, self.seed, self.clock = action.scene, action.seed, Clock(action.scene.speed)
-        self.world, self.rule = apply(action, self.world, self.rule)
+            self.clock, self._paced = Clock(action.scene.speed), action.scene
+
+    def seek(self, now, budget_ns=None):
+        """Go to iteration `now` and return whether it is reached; `frame` goes on with what the budget cut off."""
+        arrived = self.timeline.seek(now, budget_ns)
+        self._keep_pace()
+        return arrived
+
+    def undo(self, back=False, budget_ns=None):
+        """Take back the last act, at this iteration or (`back`) at the act's; return whether there was one."""
+        now = self.now
+        return self._turn(self.timeline.undo(back, budget_ns), Entry(now, UNDO))
+
+    def redo(self, back=False, budget_ns=None):
+        """Bring back the act undone last or the future left last; return whether there was one."""
+        now = self.now
+        return self._turn(self.timeline.redo(back, budget_ns), Entry(now, REDO))
 
     def frame(self, elapsed_ns, budget_ns=None):
         """Run the iterations that fell due in `elapsed_ns` and return their number.
 
         With a budget, what does not fit in it is left out for good, so that slow frames never pile up; `due` then
-        exceeds `done`. Without one the result is a function of the elapsed times alone.
+        exceeds `done`. Without one the result is a function of the elapsed times alone. While a seek is unfinished the
+        frame goes on with it instead.
         """
         self.due = 0 if self.paused else self.clock.due(elapsed_ns)
-        self.done = self.due if budget_ns is None else 0
-        if budget_ns is None:
-            advance(self.world, self.rule, self.due)
-        elif self.due:
-            self._run_within(budget_ns)
+        if self.timeline.goal is not None:
+            before, self.due = self.timeline.moment.now, 0
+            self.timeline.catch_up(budget_ns)
+            self.done = 0
+            return abs(self.timeline.moment.now - before)
+        self.done = self.timeline.run(self.due, budget_ns)
+        self._keep_pace()
+        self._note(Entry(self.now, WAIT))
         return self.done
 
     def step(self):
         """Run one iteration, paused or not."""
-        advance(self.world, self.rule, 1)
+        self.timeline.run(1)
+        self._keep_pace()
 
-    def _run_within(self, budget_ns):
-        start = now = time.perf_counter_ns()
-        while self.done < self.due and (not self.done or now - start + self._iteration_ns < budget_ns):
-            fitting = int(SLICE_NS / self._iteration_ns) if self._iteration_ns else 1
-            some = min(max(fitting, 1), self.due - self.done)
-            advance(self.world, self.rule, some)
-            before, now = now, time.perf_counter_ns()
-            self._iteration_ns = (now - before) / some
-            self.done += some
+    def _turn(self, turned, entry):
+        if turned:
+            self._note(entry)
+            self._keep_pace()
+        return turned
+
+    def _keep_pace(self):
+        """Take the pace of the scene that a seek, an undo or a recorded load has brought."""
+        if self.scene is not self._paced:
+            self.clock, self._paced = Clock(self.scene.speed), self.scene
+
+    def _note(self, entry):
+        """Tell the journal; if it cannot write, let it go and say why, for sand is not lost with it."""
+        if self.journal is None:
+            return
+        try:
+            self.journal.note(entry)
+        except FileError as error:
+            self.trouble, self.journal = str(error), None

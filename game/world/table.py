@@ -80,7 +80,7 @@ class Table:
         value = self.values.get(key, {})
         if not isinstance(value, dict):
             raise self.error(key, shown(value), f"a table [{key}]")
-        return Table(self.file, value, f"{key}.")
+        return Table(self.file, value, f"{self.where}{key}.")
 
     def tables(self, key):
         """Return the tables of the array [[key]], each named by its number in messages."""

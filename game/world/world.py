@@ -1,11 +1,14 @@
 """The world: bit planes, an iteration and a seed, and nothing else that could decide the future."""
 
 import hashlib
+import math
 
 import numpy as np
 
+from game.core import brush
 from game.core import planes as bit_planes
 from game.world import knob
+from game.world.activity import Activity
 
 
 class World:
@@ -14,13 +17,14 @@ class World:
     Make one with `World.from_cells`. Everything random that will happen to it is decided by `seed` and `iteration`.
     """
 
-    __slots__ = ("iteration", "layout", "planes", "seed")
+    __slots__ = ("activity", "iteration", "layout", "planes", "seed")
 
     def __init__(self, planes, layout, iteration, seed):
         self.planes = planes  # (PLANES, length) uint64: sand, walls, walls for odd x
         self.layout = layout
         self.iteration = iteration  # iterations since the start, a non-negative int of any size
         self.seed = seed  # in [0, 2**64)
+        self.activity = Activity(layout)
 
     @classmethod
     def from_cells(cls, sand, walls, seed=0):
@@ -29,12 +33,7 @@ class World:
         H and W are in [1, 16384]; seed is in [0, 2**64). Raises ValueError for other shapes, dtypes or seeds, and for a
         cell that is both sand and wall.
         """
-        sand, walls = _checked_cells(sand, "sand"), _checked_cells(walls, "walls")
-        if sand.shape != walls.shape:
-            raise ValueError(f"sand and walls must have one shape, got {sand.shape} and {walls.shape}")
-        if (sand & walls).any():
-            row, column = np.argwhere(sand & walls)[0]
-            raise ValueError(f"a cell is sand or wall, not both: row {row}, column {column}")
+        sand, walls = check_cells(sand, walls)
         return cls(bit_planes.pack(sand, walls), bit_planes.layout(*sand.shape), 0, knob.SEED.check(seed))
 
     @property
@@ -59,11 +58,31 @@ class World:
 
     def copy(self):
         """Return a world of its own with the same cells, iteration and seed."""
-        return World(self.planes.copy(), self.layout, self.iteration, self.seed)
+        planes = bit_planes.empty(self.layout)
+        planes[:] = self.planes
+        return World(planes, self.layout, self.iteration, self.seed)
 
     def flip(self):
         """Turn the lattice by 180 degrees, in place; twice is the identity."""
         bit_planes.turn(self.planes, self.layout)
+        self.activity.wake()
+
+    def clear(self):
+        """Take all sand away and leave the walls, in place."""
+        self.planes[bit_planes.SAND : bit_planes.WALLS] = 0
+        self.activity.wake()
+
+    def stroke(self, start, end, diameter, material, over_walls=False):
+        """Paint the cells near the line between two places (column, row), in cells; return the change in grains.
+
+        material: `brush.ERASE`, `PAINT_SAND` or `PAINT_WALL`. Sand leaves walls standing unless `over_walls`.
+        """
+        where, radius = self.layout, diameter / 2
+        rows = start[1], end[1]
+        self.activity.wake(math.floor(min(rows) - radius) - 1, math.ceil(max(rows) + radius) + 2)
+        return brush.stroke(
+            self.planes, where.height, where.width, where.words, *start, *end, radius, material, over_walls
+        )
 
     def digest(self):
         """Return 32 hex digits that name everything that decides the future: shape, cells, seed and iteration."""
@@ -73,6 +92,17 @@ class World:
             for rows in bit_planes.bands(self.planes, self.layout, first):
                 digest.update(np.packbits(rows, axis=1).tobytes())
         return digest.hexdigest()
+
+
+def check_cells(sand, walls):
+    """Return two (H, W) bool arrays, contiguous, or raise ValueError saying what cells must be."""
+    sand, walls = _checked_cells(sand, "sand"), _checked_cells(walls, "walls")
+    if sand.shape != walls.shape:
+        raise ValueError(f"sand and walls must have one shape, got {sand.shape} and {walls.shape}")
+    if (sand & walls).any():
+        row, column = np.argwhere(sand & walls)[0]
+        raise ValueError(f"a cell is sand or wall, not both: row {row}, column {column}")
+    return sand, walls
 
 
 def _checked_cells(cells, name):

@@ -1,0 +1,40 @@
+"""Activity: which bands of a lattice are quiet, so that they need not be computed, drawn or shown."""
+
+import numpy as np
+
+from game.core.planes import LINE
+from game.core.step import BAND, CYCLE
+
+
+class Activity:
+    """What is known about each band of plane rows. It decides how fast the future is reached, never which it is."""
+
+    def __init__(self, layout):
+        band_rows = max(LINE, BAND // layout.stride // LINE * LINE)  # so bands start at a cache line
+        self.band_rows = min(band_rows, layout.rows)  # plane rows in a band, two lattice rows each
+        bands = -(-layout.rows // self.band_rows)
+        self.quiet = np.zeros(bands, np.int64)  # iterations for which nothing stirred or could have, up to CYCLE
+        self.changed = np.zeros(bands, np.int64)  # the stamp of the latest change
+        self.stamp = 1  # rises with every batch of iterations and every act
+        self.schedule, self.iteration = None, None  # what `quiet` counts for
+
+    def expect(self, schedule, iteration):
+        """Get ready for a batch of `schedule` that starts at `iteration`; what was learned otherwise is forgotten."""
+        if (schedule, iteration) != (self.schedule, self.iteration):
+            self.quiet[:] = 0
+            self.schedule, self.iteration = schedule, iteration
+        self.stamp += 1
+
+    def wake(self, top=0, bottom=None):
+        """Note a change from outside in the lattice rows from `top` to before `bottom` (default: all)."""
+        bands = slice(
+            max(0, top // 2 // self.band_rows), None if bottom is None else max(0, bottom) // 2 // self.band_rows + 1
+        )
+        self.stamp += 1
+        self.quiet[bands] = 0
+        self.changed[bands] = self.stamp
+
+    @property
+    def settled(self):
+        """Whether nothing can move any more, whatever the probabilities, under the schedule last run."""
+        return bool((self.quiet >= CYCLE).all())

@@ -1,0 +1,27 @@
+"""The audit: a world's grains are those of its start, and those painted, less those erased."""
+
+from dataclasses import dataclass, replace
+
+
+@dataclass(frozen=True)
+class Account:
+    """The books of a world's grains since it was loaded."""
+
+    start: int
+    painted: int = 0
+    erased: int = 0
+
+    @property
+    def expected(self):
+        """How many grains there must be now."""
+        return self.start + self.painted - self.erased
+
+    def booked(self, change):
+        """Return the account after an act that changed the number of grains by `change`."""
+        if change > 0:
+            return replace(self, painted=self.painted + change)
+        return replace(self, erased=self.erased - change)
+
+    def balanced(self, world):
+        """Return whether `world` holds the grains that it must: none was made or lost on the way."""
+        return world.grains == self.expected

@@ -1,0 +1,139 @@
+"""Forecasts: where sand will be, from many independent runs that start alike.
+
+Runs are replicas of one lattice, moved in groups so that memory is bounded. What a run does is a function of the seed
+and of its own number: neither groups nor threads nor progress change a bit. The interpreter lock is released meanwhile.
+"""
+
+from functools import lru_cache
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from game.core.chance import CERTAIN, chance_of, threshold
+from game.core.replicas import BITS, advance_replicas, count_replicas, read_states, replicate
+from game.core.visit import MOST_WORDS
+from game.world import knob
+from game.world.rule import Rule
+from game.world.world import check_cells
+
+GROUP_WORDS = 2**23  # words in a group's cells, 64 MiB; more is faster on large lattices, but slow to lay out
+BITE = 15_000  # work between two looks at `cancelled`, 1-10 ms; less costs speed on small lattices
+STATE_CELLS = 64  # cells of a lattice whose state fits a word
+
+_MASK = 2**64 - 1
+_RUNS = knob.RUNS.default
+
+
+class Cancelled(Exception):  # noqa: N818 (it is a wish granted, not an error)
+    """Raised by a forecast whose `cancelled` returned true; nothing is kept of it."""
+
+
+class Ensemble(NamedTuple):
+    """What all runs have in common."""
+
+    sand: np.ndarray  # (H, W) bool
+    walls: np.ndarray  # (H, W) bool
+    rule: Rule
+    runs: int
+    seed: int
+    start: int  # number of the first iteration: it picks the partition
+
+    @property
+    def weight(self):
+        """How many runs a replica stands for: all of them where nothing is left to chance."""
+        return self.runs if all(threshold(p) in (0, CERTAIN) for p in self.rule.probabilities) else 1
+
+
+def density(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
+    """Return the fraction of `runs` independent runs that have sand in each cell after `iterations`: (H, W) float64.
+
+    sand, walls: (H, W) bool, as `World.from_cells` takes them. start: the iteration the runs start at, as in
+    `world.iteration`. progress(done_runs), if given, is called with the work done so far, in runs, up to `runs`.
+    cancelled(), if given, is asked every few milliseconds; once it returns true, Cancelled is raised. Raises ValueError
+    for bad cells, for `runs` outside [1, 10**9] and for other numbers out of range.
+    """
+    counts = counts_at(sand, walls, rule, [iterations], runs, seed, start, progress, cancelled)
+    return counts[0] / runs
+
+
+def counts_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
+    """Return how many runs have sand in each cell at each moment: (moments, H, W) int64, exact.
+
+    moments: iterations since the start, in rising order. The rest is as for `density`.
+    """
+    ensemble, moments = _checked(sand, walls, rule, runs, seed, start), _checked_moments(moments)
+    counts = np.zeros((len(moments), *ensemble.sand.shape), np.int64)
+    for moment, _, group in _follow(ensemble, moments, progress, cancelled):
+        count_replicas(group.cells, ensemble.weight, counts[moment])
+    return counts
+
+
+def states_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
+    """Return the state of each run at each moment: (moments, runs) uint64, where bit y·W + x is sand in cell (y, x).
+
+    The lattice has 64 cells at most, else ValueError is raised. The rest is as for `counts_at`.
+    """
+    ensemble, moments = _checked(sand, walls, rule, runs, seed, start), _checked_moments(moments)
+    if ensemble.sand.size > STATE_CELLS:
+        raise ValueError(f"states are of lattices of {STATE_CELLS} cells at most, got {ensemble.sand.size}")
+    states = np.empty((len(moments), ensemble.runs), np.uint64)
+    for moment, first, group in _follow(ensemble, moments, progress, cancelled):
+        if ensemble.weight > 1:
+            read_states(group.cells, states[moment, :1])
+            states[moment] = states[moment, 0]
+        else:
+            read_states(group.cells, states[moment, first : first + group.cells.shape[2] * BITS])
+    return states
+
+
+def _checked(sand, walls, rule, runs, seed, start):
+    sand, walls = check_cells(sand, walls)
+    return Ensemble(sand, walls, rule, knob.RUNS.check(runs), knob.SEED.check(seed), knob.START.check(start))
+
+
+def _checked_moments(moments):
+    moments = [knob.ITERATIONS.check(moment) for moment in moments]
+    for earlier, later in pairwise(moments):
+        if later < earlier:
+            raise ValueError(f"moments must be in rising order, got {later} after {earlier}")
+    return moments
+
+
+def _follow(ensemble, moments, progress, cancelled):
+    """Yield (number of the moment, number of the first run, replicas) for each group of runs at each moment."""
+    replicas = ensemble.runs // ensemble.weight
+    size = BITS * max(1, min(MOST_WORDS, GROUP_WORDS // ensemble.sand.size))
+    work = replicas * max(moments, default=0)
+    for first in range(0, replicas, size):
+        here = min(size, replicas - first)
+        group = replicate(ensemble.sand, ensemble.walls, ensemble.seed, first, here)
+        now = 0
+        for number, moment in enumerate(moments):
+            for done in _bites(group, ensemble, now, moment - now, cancelled):
+                if progress is not None:
+                    progress(ensemble.runs * (first * moments[-1] + here * (now + done)) // work)
+            now = moment
+            yield number, first, group
+    if progress is not None:
+        progress(ensemble.runs)
+
+
+def _bites(group, ensemble, now, iterations, cancelled):
+    """Run iterations `now`, now + 1 … of a group in place, a bite at a time; yield how many are done."""
+    begin = ensemble.start + now
+    offsets = np.array(ensemble.rule.offsets, np.int64)
+    offsets = np.roll(offsets, -(begin % len(offsets)), axis=0)
+    chances = _chances(ensemble.rule)
+    done = row = 0
+    while done < iterations:
+        if cancelled is not None and cancelled():
+            raise Cancelled
+        done, row = advance_replicas(group, offsets, np.uint64(begin & _MASK), iterations, chances, done, row, BITE)
+        yield done
+
+
+@lru_cache(maxsize=64)
+def _chances(rule):
+    chance = chance_of(rule.probabilities)
+    return chance.always, chance.digits[: chance.draws]

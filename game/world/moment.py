@@ -1,0 +1,52 @@
+"""A moment of a session: all that its future depends on, and the books kept on the way there."""
+
+import time
+from dataclasses import dataclass
+
+from game.world.action import Load, perform
+from game.world.advance import advance
+from game.world.audit import Account
+from game.world.rule import Rule
+from game.world.scene import Scene
+from game.world.world import World
+
+
+@dataclass
+class Moment:
+    """A world in play, changed in place by `run` and `take`."""
+
+    world: World
+    rule: Rule
+    scene: Scene
+    account: Account
+    loaded_at: int = 0  # iterations of the session before the world was loaded
+    work_ns: int = 0  # what it took to compute the way from the session's start to here
+
+    @classmethod
+    def start(cls, scene, seed):
+        """Return the first moment of a session."""
+        world = scene.world(seed)
+        return cls(world, scene.rule, scene, Account(world.grains))
+
+    @property
+    def now(self):
+        """Iterations since the session began."""
+        return self.loaded_at + self.world.iteration
+
+    def run(self, iterations):
+        """Run iterations and return what they took, in nanoseconds."""
+        start = time.perf_counter_ns()
+        advance(self.world, self.rule, iterations)
+        took = time.perf_counter_ns() - start
+        self.work_ns += took
+        return took
+
+    def take(self, action):
+        """Let an act happen."""
+        start, now = time.perf_counter_ns(), self.now
+        self.world, self.rule, change = perform(action, self.world, self.rule)
+        if isinstance(action, Load):
+            self.scene, self.loaded_at, self.account = action.scene, now, Account(self.world.grains)
+        elif change:
+            self.account = self.account.booked(change)
+        self.work_ns += time.perf_counter_ns() - start

@@ -1,0 +1,156 @@
+"""Pictures as scenes: a PNG that holds a scene and all its settings, and any picture as sand and walls."""
+
+import io
+import json
+import warnings
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from game.world import knob
+from game.world.drawing import (
+    COLOURS,
+    EMPTY,
+    FORMATS,
+    MOST_PIXELS,
+    PICTURE_SIZE,
+    SAND,
+    WALL,
+    nearest_materials,
+    resampled,
+)
+from game.world.knob import Knob
+from game.world.rule import Rule
+from game.world.saving import FileError, load, save
+from game.world.scene import Scene
+from game.world.scene_record import decode_rule
+from game.world.table import LONGEST_LINE, SceneError, Table
+
+VERSION = 1
+CHUNK = "sandglass"  # the key of the text in the PNG
+LARGEST_FILE = 2**28  # bytes
+THRESHOLD = Knob("threshold", 0.5, 0.02, 1.0, "", "how bright a picture must be to become sand; half of it: walls")
+LUMA = np.array([0.299, 0.587, 0.114], np.float32)  # how bright red, green and blue look (ITU-R BT.601)
+PURE = 0.98  # part of the pixels that must be near the three colours for a picture to count as drawn cells
+NEAR = 24  # of 255: how far a colour may be from a cell's in each channel; what saving as JPEG does to flat colours
+LARGEST_PHOTO = 640, 480  # cells: a larger photo is scaled down to fit
+
+
+class PictureError(FileError):
+    """What is wrong with a picture, as one line."""
+
+
+class Picture(NamedTuple):
+    """What a picture holds."""
+
+    scene: Scene
+    seed: int
+
+
+def save_picture(path, session):
+    """Write the session's cells, rule, seed and settings to a PNG, in one step; raise FileError where that fails."""
+    from PIL import Image
+    from PIL.PngImagePlugin import PngInfo
+
+    world, scene = session.world, session.scene
+    materials = np.where(world.walls, WALL, np.where(world.sand, SAND, EMPTY)).astype(np.uint8)
+    picture = Image.fromarray(materials, "P")
+    picture.putpalette([part for colour in COLOURS for part in colour])
+    settings = {
+        "sandglass": VERSION,
+        "title": scene.title,
+        "notice": scene.notice,
+        "rule": session.rule.as_dict(),
+        "seed": session.seed,
+        "speed": session.clock.speed,
+        "cell": scene.cell,
+    }
+    text = PngInfo()
+    text.add_text(CHUNK, json.dumps(settings))
+    file = io.BytesIO()
+    picture.save(file, "PNG", pnginfo=text, optimize=True)
+    save(path, file.getvalue())
+
+
+def load_picture(path, threshold=None):
+    """Return the Picture in a file; raise PictureError, with one line to show, where there is none.
+
+    Cells in the colours of a saved scene are taken as they are; a photo is scaled down to fit LARGEST_PHOTO and becomes
+    sand where its brightness is at least `threshold` (default THRESHOLD), walls down to half of it, else empty, as
+    what is see-through. A threshold makes any picture a photo.
+    """
+    path = Path(path)
+    pixels, text = _read(path)
+    level = THRESHOLD.default if threshold is None else THRESHOLD.check(threshold)
+    if threshold is None and (text is not None or _is_drawn(pixels)):
+        materials = _by_rows(pixels, nearest_materials)
+    else:
+        materials = _by_rows(_fitted(pixels), lambda rows: _by_brightness(rows, level))
+    sand, walls = materials == SAND, materials == WALL
+    sand.flags.writeable = walls.flags.writeable = False
+    try:
+        settings, seed = _settings(path, text)
+    except SceneError as error:
+        raise PictureError(error) from None
+    return Picture(Scene(path.stem, sand=sand, walls=walls, **settings), seed)
+
+
+def _read(path):
+    """Return the (H, W, 4) uint8 pixels of a picture and its text of settings, or None."""
+    from PIL import Image
+
+    data = load(path, LARGEST_FILE, PictureError)
+    try:
+        with warnings.catch_warnings(action="ignore"), Image.open(io.BytesIO(data), formats=FORMATS) as picture:
+            width, height = picture.size
+            if width * height > MOST_PIXELS or max(width, height) > knob.SIDE.high:
+                raise PictureError(f"{path}: found {width}×{height} pixels, wanted at most {PICTURE_SIZE}")
+            pixels = np.asarray(picture.convert("RGBA"))
+            return pixels, picture.info.get(CHUNK)
+    except PictureError:
+        raise
+    except Exception:  # Pillow's decoders raise whatever a damaged file makes them trip over
+        raise PictureError(f"{path}: found an unreadable file, wanted a {', '.join(FORMATS)}") from None
+
+
+def _is_drawn(pixels):
+    """Return whether nearly all pixels have the colours of cells."""
+    sample = pixels[:: max(1, len(pixels) // 256), :, :3].astype(np.int16)
+    near = [(np.abs(sample - colour) <= NEAR).all(axis=-1) for colour in COLOURS]
+    return np.any(near, axis=0).mean() >= PURE
+
+
+def _by_rows(pixels, materials_of):
+    return np.concatenate([materials_of(rows) for rows in np.array_split(pixels, len(pixels) // 64 + 1)])
+
+
+def _by_brightness(pixels, threshold):
+    bright = pixels[..., :3].astype(np.float32) @ LUMA / 255
+    materials = np.where(bright >= threshold, SAND, np.where(bright >= threshold / 2, WALL, EMPTY)).astype(np.uint8)
+    materials[pixels[..., 3] < 128] = EMPTY
+    return materials
+
+
+def _fitted(pixels):
+    height, width = pixels.shape[:2]
+    scale = min(1.0, LARGEST_PHOTO[0] / width, LARGEST_PHOTO[1] / height)
+    return resampled(pixels, max(1, round(height * scale)), max(1, round(width * scale)))
+
+
+def _settings(path, text):
+    """Return the fields of a Scene beside its cells, and the seed, from the text in its picture."""
+    if text is None:
+        fields = {"title": path.stem[:LONGEST_LINE], "notice": "", "rule": Rule.with_p(0.75, "balanced")}
+        return fields | {"speed": knob.SPEED.default, "cell": knob.CELL.default}, knob.SEED.default
+    try:
+        table = Table(path, json.loads(text), f"{CHUNK}: ")
+    except (ValueError, TypeError, RecursionError):
+        raise SceneError(path, CHUNK, "broken JSON", "the settings of a scene") from None
+    if not isinstance(table.values, dict):
+        raise SceneError(path, CHUNK, "no object", "the settings of a scene")
+    table.number("sandglass", Knob("version", VERSION, 1, VERSION, "(a newer Sandglass wrote it)", "", whole=True))
+    table.allow(("sandglass", "title", "notice", "rule", "seed", "speed", "cell"))
+    fields = {"title": table.line("title", path.stem), "notice": table.line("notice", "")}
+    fields |= {"rule": decode_rule(table.table("rule")), "speed": table.number("speed", knob.SPEED)}
+    return fields | {"cell": table.number("cell", knob.CELL)}, table.number("seed", knob.SEED)

@@ -1,0 +1,144 @@
+"""The record of an entry: what a session did, as a dict for JSON, and back with every value checked."""
+
+from itertools import pairwise
+
+from game.world import knob, scene_record
+from game.world.action import MATERIALS, Clear, Flip, Load, Paint, SetRule, snap
+from game.world.history import REDO, UNDO, WAIT, Entry
+from game.world.knob import Knob
+from game.world.table import Table, shown
+
+PLACE = Knob("place", 0.0, -1e6, 1e6, "cells", "a distance from the left or upper side of the lattice")
+PLAIN = {"flip": Flip, "clear": Clear, UNDO: UNDO, REDO: REDO, WAIT: WAIT}  # entries that say no more
+BRUSH = ("material", "diameter", "over_walls")
+LONGEST_STROKE = 100_000  # segments
+
+
+def encode(entry, known):
+    """Return an Entry as a dict; known: the scenes told of so far in the file, {start digest: scene}, added to."""
+    values = {"at": entry.at, "do": None}
+    match entry.what:
+        case Paint() as paint:
+            values |= {"do": "paint", **_brush(paint)}
+            values |= {"from": _place(paint.start, paint.diameter), "to": _place(paint.end, paint.diameter)}
+        case SetRule(rule):
+            values |= {"do": "rule", "rule": rule.as_dict()}
+        case Load(scene, seed):
+            values |= {"do": "load", "scene": scene_record.encode(scene, known), "seed": seed}
+        case Flip() | Clear():
+            values["do"] = type(entry.what).__name__.lower()
+        case _:
+            values["do"] = entry.what
+    return values | ({"join": True} if entry.join else {})
+
+
+def encode_story(entries, known):
+    """Yield entries as dicts, the joined segments of a line drawn with one brush as one stroke."""
+    stroke = []
+    for entry in entries:
+        if stroke and not (entry.join and _continues(stroke[-1].what, entry.what) and len(stroke) < LONGEST_STROKE):
+            yield _encode_stroke(stroke, known)
+            stroke = []
+        if isinstance(entry.what, Paint):
+            stroke.append(entry)
+        else:
+            yield encode(entry, known)
+    if stroke:
+        yield _encode_stroke(stroke, known)
+
+
+def decode(table, known):
+    """Return the entries, one or more, that a record tells of, a Table; raise SceneError where it is none."""
+    at = table.number("at", knob.MOMENT)
+    kind = table.choice("do", ("paint", "stroke", "rule", "load", *PLAIN))
+    joined = _flag(table, "join")
+    if kind == "stroke":
+        return _decode_stroke(table, at, joined)
+    if kind == "paint":
+        table.allow(("at", "do", "join", *BRUSH, "from", "to"))
+        start, end = (_decode_place(table, key) for key in ("from", "to"))
+        material, diameter, over_walls = _decode_brush(table)
+        what = Paint(material, start, end, diameter, over_walls)
+    elif kind == "rule":
+        table.allow(("at", "do", "join", "rule"))
+        what = SetRule(scene_record.decode_rule(table.table("rule")))
+    elif kind == "load":
+        table.allow(("at", "do", "join", "scene", "seed"))
+        what = Load(scene_record.decode(table.table("scene"), known), table.number("seed", knob.SEED))
+    else:
+        table.allow(("at", "do", "join"))
+        what = PLAIN[kind] if isinstance(PLAIN[kind], str) else PLAIN[kind]()
+    return [Entry(at, what, joined)]
+
+
+def _brush(paint):
+    values = {"material": paint.material, "diameter": paint.diameter}
+    return values | ({"over_walls": True} if paint.over_walls else {})
+
+
+def _place(place, diameter):
+    """Return a place as short as it can be written: the middle that a brush of that diameter takes there."""
+    return [int(part) if part == int(part) else part for part in snap(place, diameter)]
+
+
+def _continues(before, paint):
+    """Return whether a segment goes on where the one before ended, with the same brush."""
+    if not isinstance(paint, Paint) or _brush(before) != _brush(paint):
+        return False
+    return _place(before.end, before.diameter) == _place(paint.start, paint.diameter)
+
+
+def _encode_stroke(entries, known):
+    """Return the record of segments: the path's points as [iterations since the point before, x, y], start first."""
+    if len(entries) == 1:
+        return encode(entries[0], known)
+    first = entries[0]
+    diameter = first.what.diameter
+    path = [[0, *_place(first.what.start, diameter)], [0, *_place(first.what.end, diameter)]]
+    path += [[each.at - before.at, *_place(each.what.end, diameter)] for before, each in pairwise(entries)]
+    values = {"at": first.at, "do": "stroke", **_brush(first.what), "path": path}
+    return values | ({"join": True} if first.join else {})
+
+
+def _decode_stroke(table, at, joined):
+    table.allow(("at", "do", "join", *BRUSH, "path"))
+    brush = _decode_brush(table)
+    path = table.values.get("path")
+    wanted = f"2 to {LONGEST_STROKE + 1} points [iterations, x, y]"
+    if not isinstance(path, list) or not 2 <= len(path) <= LONGEST_STROKE + 1:
+        raise table.error("path", shown(path), wanted)
+    entries, before = [], None
+    for point in path:
+        if not isinstance(point, list) or len(point) != 3:
+            raise table.error("path", shown(point), wanted)
+        numbers = Table(table.file, dict(zip(("wait", "x", "y"), point, strict=True)), f"{table.where}path.")
+        at = at + numbers.number("wait", knob.MOMENT)
+        place = numbers.number("x", PLACE), numbers.number("y", PLACE)
+        if before:
+            material, diameter, over_walls = brush
+            what = Paint(material, before, place, diameter, over_walls)
+            entries.append(Entry(at, what, joined or bool(entries)))
+        before = place
+    if at > knob.MOMENT.high:
+        raise table.error("path", "a stroke without end", knob.MOMENT.wanted)
+    return entries
+
+
+def _decode_brush(table):
+    material = table.choice("material", tuple(MATERIALS))
+    return material, table.number("diameter", knob.BRUSH), _flag(table, "over_walls")
+
+
+def _decode_place(table, key):
+    value = table.values.get(key)
+    if not isinstance(value, list) or len(value) != 2:
+        raise table.error(key, shown(value), "a place [x, y]")
+    numbers = Table(table.file, dict(zip("xy", value, strict=True)), f"{table.where}{key}.")
+    return numbers.number("x", PLACE), numbers.number("y", PLACE)
+
+
+def _flag(table, key):
+    value = table.values.get(key, False)
+    if not isinstance(value, bool):
+        raise table.error(key, shown(value), "true or false")
+    return value

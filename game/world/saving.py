@@ -1,0 +1,75 @@
+"""Saving: a file is there as it was or as it shall be, never half of either."""
+
+import contextlib
+import os
+import tempfile
+from pathlib import Path
+
+
+class FileError(ValueError):
+    """What is wrong with a file, as one line: FILE: PLACE: found X, wanted Y."""
+
+    def __init__(self, line):
+        super().__init__("".join(c if c.isprintable() else " " for c in str(line)))
+
+
+def trouble(path, doing, error):
+    """Return the FileError for an OSError: which file, what was tried, why it went wrong."""
+    return FileError(f"{path}: {doing}: {(error.strerror or str(error)).lower()}")
+
+
+def save(path, data):
+    """Write bytes to the file at `path`, replacing it in one step; raise FileError, the old file as it was, if not.
+
+    What the function returns after is on the disk: a power cut cannot take it back.
+    """
+    path = Path(path)
+    temporary = None
+    try:
+        handle, temporary = tempfile.mkstemp(prefix=f".{path.name[:40]}-", suffix=".part", dir=path.parent)
+        with open(handle, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(temporary, 0o666 & ~_umask())
+        os.replace(temporary, path)
+        sync_folder(path.parent)
+    except (OSError, ValueError) as error:
+        if temporary:
+            with contextlib.suppress(OSError):
+                os.unlink(temporary)
+        raise trouble(path, "cannot save", error if isinstance(error, OSError) else OSError(str(error))) from None
+
+
+def load(path, most, error=FileError):
+    """Return the bytes of the ordinary file at `path`, at most `most` of them; raise `error` for anything else."""
+    try:
+        if Path(path).exists() and not Path(path).is_file():
+            raise error(f"{path}: file: found a folder or a device, wanted an ordinary file")
+        with open(path, "rb") as file:
+            data = file.read(most + 1)
+    except (OSError, ValueError) as reason:
+        if isinstance(reason, FileError):
+            raise
+        why = (getattr(reason, "strerror", None) or str(reason)).lower()
+        raise error(f"{path}: cannot read: {why}") from None
+    if len(data) > most:
+        raise error(f"{path}: file: found a larger one, wanted at most {most} bytes")
+    return data
+
+
+def sync_folder(folder):
+    """Put a folder's list of names on the disk, where the system can."""
+    if os.name != "posix":
+        return
+    handle = os.open(folder, os.O_RDONLY)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

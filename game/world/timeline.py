@@ -1,0 +1,184 @@
+"""The timeline: any moment of a session, reached by computing forward from the nearest snapshot."""
+
+import time
+
+from game.world import knob
+from game.world.action import Clear, Paint, SetRule
+from game.world.history import Entry, History
+from game.world.moment import Moment
+from game.world.snapshot import MEGABYTE, Shelf, nearest
+
+# Work between two snapshots: a seek computes no more than that. Half as much doubles the memory for ten minutes of a
+# full screen (280 KB each); three times as much makes a rewind stutter.
+SPACING_NS = 20_000_000
+SHARE = 20  # a snapshot costs at most one part in so many of the work: on a huge lattice it takes long to copy
+SLICE_NS = 1_000_000  # work between two looks at the time; more overruns a frame's budget, less costs calls
+REPEATABLE = Clear, Paint, SetRule  # done twice at one iteration, they do what they do once
+
+
+class Timeline:
+    """A session's moments. The present one is `moment`; the others are a `seek` away."""
+
+    def __init__(self, scene, seed=0, memory_mb=knob.MEMORY.default):
+        self.history = History()
+        self.moment = Moment.start(scene, seed)
+        self.shelf = Shelf(memory_mb * MEGABYTE)
+        self.goal = None  # the iteration of an unfinished seek
+        self.reached = 0  # the last iteration known of the present line
+        self.start = scene, seed  # what the session began with
+        self._here = self.history.root  # the last act that the moment has seen
+        self._ahead = []  # acts of the line yet to come, the nearest last
+        self._spacing_ns = SPACING_NS
+        self._kept_work_ns = 0  # the moment's work when the last snapshot was kept
+        self._iteration_ns = float(SLICE_NS)  # what one took lately; until it is known, they go one by one
+
+    @property
+    def now(self):
+        """Where the session is, or will be when it has caught up: iterations since it began."""
+        return self.moment.now if self.goal is None else self.goal
+
+    @property
+    def memory_mb(self):
+        """The most that snapshots may take, in millions of bytes."""
+        return self.shelf.budget / MEGABYTE
+
+    @memory_mb.setter
+    def memory_mb(self, most):
+        self.shelf.fit(knob.MEMORY.check(most) * MEGABYTE, self.history.line)
+
+    def run(self, iterations, budget_ns=None):
+        """Run forward and return by how many iterations; with a budget by fewer, but one at least, where they are slow.
+
+        Acts that the line has on the way happen at their iterations.
+        """
+        self.catch_up()
+        start = self.moment.now
+        self._run_to(start + knob.ITERATIONS.check(iterations), budget_ns)
+        return self.moment.now - start
+
+    def do(self, action, join=False):
+        """Let an act happen now and return its Entry, or None for one that changes nothing and is not recorded.
+
+        join: undo takes it back together with the act before. In the past a new future begins.
+        """
+        self.catch_up()
+        if self._idle(action):
+            if not join:
+                self.history.close()
+            return None
+        now = self.reached = self.moment.now
+        act = self.history.record(action, now, join)
+        self._ahead = []
+        self._meet(act)
+        return Entry(now, action, act.join)
+
+    def seek(self, now, budget_ns=None):
+        """Go to iteration `now` of the line, after the acts at it; return whether that is done.
+
+        With a budget (ns) a long way is left for `catch_up` to finish.
+        """
+        self.goal = knob.MOMENT.check(now)
+        self._start_towards(self.goal)
+        return self.catch_up(budget_ns)
+
+    def catch_up(self, budget_ns=None):
+        """Go on with an unfinished seek, for about `budget_ns`; return whether the session is where it should be."""
+        if self.goal is None:
+            return True
+        if self._run_to(self.goal, budget_ns):
+            self.goal = None
+        return self.goal is None
+
+    def undo(self, back=False, budget_ns=None):
+        """Take back the last act and return whether there was one; `seek` tells what `budget_ns` does.
+
+        The iteration stays, and the sand is as it would have been; with `back` time goes back to the act as well.
+        """
+        now = self.now
+        parted = self.history.undo(now)
+        if parted is not None:
+            self._change_line(min(parted, now) if back else now, budget_ns)
+        return parted is not None
+
+    def redo(self, back=False, budget_ns=None):
+        """Bring back what was undone last, or a future that was left, and return whether there was one.
+
+        With `back` time goes forward to an act that is still to come.
+        """
+        now = self.now
+        parted = self.history.redo(now)
+        if parted is not None:
+            self._change_line(max(parted, now) if back else now, budget_ns)
+        return parted is not None
+
+    def retell(self, entries):
+        """Take over the history that entries tell, as a session that has just begun."""
+        for entry in entries:
+            self.history.obey(entry)
+            self.reached = max(self.reached, entry.at)
+        self._ahead = self.history.after(self._here)
+
+    def _idle(self, action):
+        if isinstance(action, SetRule) and action.rule == self.moment.rule:
+            return True
+        repeated = self._here.at == self.moment.now and self._here.action == action
+        return repeated and isinstance(action, REPEATABLE)
+
+    def _change_line(self, now, budget_ns):
+        self.reached = max(self.reached, self.history.line.at)
+        self.seek(now, budget_ns)
+
+    def _start_towards(self, now):
+        """Make the present moment the one to compute `now` from: this one, or the nearest snapshot."""
+        target = self.history.latest(now)
+        snapshot = nearest(target, now)
+        if not self._leads_to(target, now) or (snapshot and snapshot.now > self.moment.now):
+            self.moment = snapshot.moment() if snapshot else Moment.start(*self.start)
+            self._here = snapshot.act if snapshot else self.history.root
+            self._kept_work_ns = self.moment.work_ns
+        self._ahead = self.history.after(self._here)
+
+    def _leads_to(self, act, now):
+        """Return whether iteration `now` after `act` is reached by computing forward from the present moment."""
+        while act is not self._here and act.at >= self.moment.now and act.before:
+            act = act.before
+        return act is self._here and self.moment.now <= now
+
+    def _run_to(self, end, budget_ns=None):
+        """Run to iteration `end` and meet the acts on the way; return whether the budget was enough."""
+        start, begun = time.perf_counter_ns(), False
+        while True:
+            while self._ahead and self._ahead[-1].at <= self.moment.now:
+                self._meet(self._ahead.pop())
+            if self.moment.now >= end:
+                break
+            spent_ns = time.perf_counter_ns() - start if budget_ns is not None else 0
+            if begun and budget_ns is not None and spent_ns + self._iteration_ns >= budget_ns:
+                break
+            self._run_slice(min(end, self._ahead[-1].at) if self._ahead else end)
+            begun = True
+        self.reached = max(self.reached, self.moment.now)
+        return self.moment.now >= end
+
+    def _run_slice(self, end):
+        some = min(end - self.moment.now, max(1, int(SLICE_NS / self._iteration_ns)))
+        self._iteration_ns = max(1.0, self.moment.run(some) / some)
+        self._keep_now_and_then()
+
+    def _meet(self, act):
+        self.moment.take(act.action)
+        self._here = act
+        self._keep_now_and_then()
+
+    def _keep_now_and_then(self):
+        """Keep a snapshot where the last one is far, unless the line has one near."""
+        if self.moment.work_ns - self._kept_work_ns < self._spacing_ns:
+            return
+        before = nearest(self._here, self.moment.now)
+        if before and self.moment.work_ns - before.work_ns < self._spacing_ns:
+            self._kept_work_ns = before.work_ns
+            return
+        start = time.perf_counter_ns()
+        self.shelf.keep(self.moment, self._here, self.history.line)
+        self._spacing_ns = max(SPACING_NS, SHARE * (time.perf_counter_ns() - start))
+        self._kept_work_ns = self.moment.work_ns

@@ -1,0 +1,134 @@
+"""Laws of pictures: one saved is the scene, one edited too, and any other becomes walls and sand."""
+
+import json
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from PIL import Image
+from PIL.PngImagePlugin import PngInfo
+
+from game import Rule
+from game.world import saving
+from game.world.action import Load
+from game.world.drawing import COLOURS
+from game.world.picture_file import CHUNK, PictureError, load_picture, save_picture
+from game.world.session import Session
+from tests.world.sessions import SCENES, played, plays
+
+steady = settings(
+    derandomize=True, deadline=None, max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+
+
+def saved(folder, session=None):
+    """Return the path of a saved session."""
+    save_picture(folder / "some.png", session or Session(SCENES[1], 9))
+    return folder / "some.png"
+
+
+@pytest.fixture(autouse=True)
+def quick_disk(monkeypatch):
+    """Do not wait for the disk."""
+    monkeypatch.setattr(saving.os, "fsync", lambda handle: None)
+
+
+@steady
+@given(plays)
+def test_a_saved_picture_is_the_scene(tmp_path, play):
+    session = played(play)
+    session.clock.speed = 321.0
+    scene, seed = load_picture(saved(tmp_path, session))
+    assert (scene.sand == session.world.sand).all() and (scene.walls == session.world.walls).all()
+    assert (scene.rule, seed, scene.speed) == (session.rule, session.seed, 321.0)
+    assert (scene.title, scene.notice, scene.cell) == (session.scene.title, session.scene.notice, session.scene.cell)
+
+
+def test_a_picture_shows_the_cells_in_three_colours(tmp_path):
+    world = SCENES[1].world()
+    pixels = np.asarray(Image.open(saved(tmp_path)).convert("RGB"))
+    kinds = np.where(world.walls, 2, np.where(world.sand, 1, 0))
+    assert (pixels == np.array(COLOURS, np.uint8)[kinds]).all()
+
+
+def test_a_loaded_picture_plays(tmp_path):
+    session = Session(SCENES[0])
+    session.do(Load(*load_picture(saved(tmp_path))))
+    assert session.world.digest() == SCENES[1].world(9).digest() and session.rule == SCENES[1].rule
+    session.timeline.run(20)
+    assert session.account.balanced(session.world)
+
+
+@pytest.mark.parametrize("name", ["x.png", "x.bmp", "x.gif", "x.webp"])
+def test_cells_survive_a_paint_program_that_drops_the_settings(tmp_path, name):
+    Image.open(saved(tmp_path)).convert("RGB").quantize(8).save(tmp_path / name, lossless=True, pnginfo=PngInfo())
+    scene, seed = load_picture(tmp_path / name)
+    assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
+    assert seed == 0 and scene.rule == Rule.with_p(0.75, "balanced") and scene.name == "x"
+
+
+def test_a_photo_becomes_sand_where_it_is_bright_and_walls_where_it_is_half_as_bright(tmp_path):
+    grey = np.tile(np.arange(256, dtype=np.uint8), (20, 1))
+    Image.fromarray(grey).save(tmp_path / "grey.png")
+    scene, _ = load_picture(tmp_path / "grey.png", threshold=0.6)
+    assert scene.sand[0].tolist() == (grey[0] >= 0.6 * 255).tolist()
+    assert scene.walls[0].tolist() == ((grey[0] >= 0.3 * 255) & (grey[0] < 0.6 * 255)).tolist()
+    default, _ = load_picture(tmp_path / "grey.png")
+    assert default.sand.sum() == 20 * 128
+
+
+def test_what_is_see_through_is_empty(tmp_path):
+    pixels = np.full((9, 12, 4), 255, np.uint8)
+    pixels[3:, :, 3] = 0
+    Image.fromarray(pixels).save(tmp_path / "clear.png")
+    scene, _ = load_picture(tmp_path / "clear.png")
+    assert scene.sand[:3].all() and not scene.sand[3:].any() and not scene.walls.any()
+
+
+def test_a_large_photo_is_made_to_fit(tmp_path):
+    Image.effect_noise((1600, 900), 80).save(tmp_path / "large.jpg")
+    scene, _ = load_picture(tmp_path / "large.jpg")
+    assert scene.shape == (360, 640) and scene.sand.any() and scene.walls.any()
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("{", "broken JSON"),
+        ("[]", "found no object"),
+        ('{"sandglass": 2}', "a newer Sandglass wrote it"),
+        ('{"sandglass": 1, "weather": 3}', "weather: found an unknown key"),
+        ('{"sandglass": 1}', "rule.topple_left: found nothing"),
+        ("[" * 10**5, "broken JSON"),
+    ],
+)
+def test_damaged_settings_are_refused_in_one_line(tmp_path, text, words):
+    chunk = PngInfo()
+    chunk.add_text(CHUNK, text)
+    Image.new("P", (5, 5)).save(tmp_path / "bad.png", pnginfo=chunk)
+    with pytest.raises(PictureError) as caught:
+        load_picture(tmp_path / "bad.png")
+    assert words in str(caught.value) and str(caught.value).isprintable()
+
+
+@pytest.mark.parametrize("seed", [-1, 2**64, "1"])
+def test_settings_are_checked(tmp_path, seed):
+    settings = json.loads(Image.open(saved(tmp_path)).info[CHUNK]) | {"seed": seed}
+    chunk = PngInfo()
+    chunk.add_text(CHUNK, json.dumps(settings))
+    Image.new("P", (5, 5)).save(tmp_path / "bad.png", pnginfo=chunk)
+    with pytest.raises(PictureError, match="seed: found"):
+        load_picture(tmp_path / "bad.png")
+
+
+def test_what_is_no_picture_is_refused_in_one_line(tmp_path):
+    (tmp_path / "text.png").write_text("not a picture")
+    Image.new("1", (16385, 2)).save(tmp_path / "wide.png")
+    for name, words in (
+        ("text.png", "unreadable"),
+        ("none.png", "no such file"),
+        (".", "folder"),
+        ("wide.png", "16385×2"),
+    ):
+        with pytest.raises(PictureError, match=words):
+            load_picture(tmp_path / name)
