@@ -7,7 +7,6 @@ from pathlib import Path
 
 from game.world import knob
 
-COMMANDS = ("headless", "study")
 STUDY_NEEDS = ("matplotlib", "rich")  # packages of the `study` extra
 
 
@@ -24,6 +23,8 @@ def main(arguments=None):
         if arguments[:1] == ["headless"]:
             options = _headless_parser().parse_args(arguments[1:])
             return _headless(options) if options.replay is None else _replay(options)
+        if arguments[:1] == ["bench"]:
+            return _bench(_bench_parser().parse_args(arguments[1:]))
         if arguments[:1] == ["study"]:
             return _study(_study_parser().parse_args(arguments[1:]))
         return _play(_play_parser().parse_args(arguments))
@@ -66,7 +67,7 @@ def _play_parser():
     parser = _Parser(
         prog="sandglass",
         description="Sand that you paint, pour, stop with walls and turn over.",
-        epilog="commands: headless (the same frames without a window, timed), study (accuracy, with verdicts); "
+        epilog="commands: headless (frames without a window, timed), bench (how fast it is), study (how right it is); "
         "add --help for theirs",
     )
     _scene_options(parser)
@@ -84,6 +85,18 @@ def _headless_parser():
     parser.add_argument("--frames", type=_setting(knob.FRAMES), default=knob.FRAMES.default, help=knob.FRAMES.meaning)
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument("--replay", metavar="FILE", help="compute a recorded session to its end instead")
+    return parser
+
+
+def _bench_parser():
+    parser = _Parser(
+        prog="sandglass bench", description="Measure how fast the sand is, beside the paper, peers and the memory."
+    )
+    parser.add_argument(
+        "--quick", action="store_true", help="smaller lattices and fewer rounds: half a minute, not six"
+    )
+    parser.add_argument("--json", action="store_true", help="print one JSON object")
+    parser.add_argument("--out", metavar="DIR", help="write the tables as Markdown and JSON, and a picture")
     return parser
 
 
@@ -124,12 +137,23 @@ def _replay(options):
     try:
         recording = load_replay(options.replay)
     except ReplayError as error:
-        return _refuse(error)
+        print(f"sandglass: {error}", file=sys.stderr)
+        return 2
     if recording.problem:
         print(f"sandglass: {recording.problem}", file=sys.stderr)
     report = headless.replay(recording)
     print(headless.replay_text(report, options.json))
     return headless.replay_status(report)
+
+
+def _bench(options):
+    from game.study.bench import command
+
+    try:
+        return command.run(options.quick, options.json, options.out)
+    except command.CannotWriteError as error:
+        print(f"sandglass bench: {error}", file=sys.stderr)
+        return 2
 
 
 def _study(options):

@@ -20,6 +20,11 @@ KINDS = (
     "fall_full_right",
 )
 CERTAIN = None  # a lone grain always falls
+SCHEDULES = {  # offsets (x, y) of the blocks, iteration by iteration, repeated
+    "margolus": ((0, 0), (1, 1)),
+    "paper": ((0, 0), (1, 1), (0, 1), (1, 0)),
+    "balanced": ((0, 0), (1, 1), (1, 0), (0, 1)),
+}
 TALLY_BITS = 8  # bits of a tally for each kind: no more than 16 blocks fit into 64 cells
 
 # Corners a b / c d before and after, and what decides it: '#' is sand or wall and stays, 'w' a wall, 'o' sand.

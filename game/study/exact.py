@@ -4,12 +4,12 @@ import os
 from concurrent.futures import ThreadPoolExecutor
 
 from game.study import randomness, verdict
+from game.study.chain import SCHEDULES
 from game.study.figures import figure
 from game.study.lattices import LATTICES
 from game.study.likelihood import smallest_of, uniform_tail
 from game.study.report import Picture, Table
 from game.study.trials import PATHS, PROBABILITIES, trials
-from game.world.rule import SCHEDULES
 
 TITLE = "1. Exact"
 QUICK_RUNS = 100_000

@@ -13,6 +13,8 @@ def number(value):
         return str(value)
     if isinstance(value, Integral) or (abs(value) < MANY and value == int(value)):
         return f"{int(value):,}"
+    if 10**DIGITS <= abs(value) < MANY:
+        return f"{value:,.0f}"
     return f"{value:.{DIGITS}g}"
 
 

@@ -44,7 +44,11 @@ class Study:
 
 
 def run(quick=False, folder=Path("study"), parts=tuple(PARTS), desk=None):
-    """Run the parts named, write study.md, study.json and pictures to `folder`; return 1 if a row disagrees, else 0."""
+    """Run the parts named, write the report to `folder` and return 1 if a row disagrees, else 0.
+
+    Raises OSError if the folder cannot be written to.
+    """
+    folder.mkdir(parents=True, exist_ok=True)  # before the work: a folder that cannot be made would waste it
     study = Study(quick, desk or Desk())
     report = Report(_about(quick))
     for name in parts:

@@ -21,7 +21,9 @@ from game.study.settings import (
 )
 
 TITLE = "3. Speed against error"
-SCATTER = 0.12  # of an rms that is chance alone, in floors: over 100 seeds; few cells are uncertain and they move together
+SCATTER = (
+    0.12  # of an rms that is chance alone, in floors: over 100 seeds; few cells are uncertain and they move together
+)
 FALLEN = "as many grains per iteration at any size (part 6), so −1"
 COLOURS = {BITS_SERIES: "#b5761f", SOURCE_SERIES: "#a33d3d", RUN_SERIES: "#2f6f8f", SERIES: "#4f8a4b"}
 SPANS = {BITS_SERIES: (0.4, 3), SOURCE_SERIES: (0.4, 3), RUN_SERIES: (0.008, 40), SERIES: (0.008, 40)}
@@ -73,7 +75,9 @@ def _cells(each):
 def _bits_rows(points, certain):
     for each in points[-3:]:
         quantity = f"rms error in floors, bits of p: {each.setting}"
-        yield verdict.close(quantity, each.rms / each.floor, SCATTER, 1.0, "an error of p of 2⁻¹⁷ or less is far below the floor")
+        yield verdict.close(
+            quantity, each.rms / each.floor, SCATTER, 1.0, "an error of p of 2⁻¹⁷ or less is far below the floor"
+        )
     six = points[BITS.index(6)]
     hundredths = 100 * abs(shortened(P, 6) - P)
     quantity = "rms error for a hundredth of p, from 6 bits, percentage points"
@@ -84,7 +88,9 @@ def _bits_rows(points, certain):
 def _source_rows(points, scatter):
     fresh, *others = points
     quantity = "rms difference in floors, plain kernel with fresh draws against the toy's"
-    yield verdict.close(quantity, fresh.rms / fresh.floor, SCATTER, 1.0, "two kernels of one rule, apart by chance alone")
+    yield verdict.close(
+        quantity, fresh.rms / fresh.floor, SCATTER, 1.0, "two kernels of one rule, apart by chance alone"
+    )
     for each in others:
         quantity = f"rms error in floors, draws: {each.setting}"
         yield verdict.noted(quantity, each.rms / each.floor, SCATTER, 1, "as good as fresh")

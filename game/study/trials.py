@@ -8,12 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from game import Rule
-from game.study.chain import explore
+from game.study.chain import SCHEDULES, explore
 from game.study.compare import Comparison, compare
 from game.study.copies import sand_and_walls, stacked_states, tiled_states
 from game.study.lattices import LATTICES
 from game.world.forecast import states_at
-from game.world.rule import SCHEDULES
 
 PROBABILITIES = {  # topple_left, topple_right and the five falls
     "p = 0.25": (0.25,) * 2 + (1.0,) * 5,

@@ -7,11 +7,10 @@ import numpy as np
 import pytest
 
 from game.study import chain
-from game.study.chain import EVENTS, explore
+from game.study.chain import EVENTS, SCHEDULES, explore
 from game.study.lattices import LATTICES
 from game.study.trials import PROBABILITIES
-from game.world import knob
-from game.world.rule import SCHEDULES
+from game.world import knob, rule
 from tests import reference
 
 HALF = (0.5,) * 2 + (1.0,) * 5
@@ -31,6 +30,10 @@ def state_of(rows):
 
 def test_the_kinds_are_the_rules_probabilities_in_order():
     assert tuple(each.name for each in knob.PROBABILITIES) == chain.KINDS
+
+
+def test_the_schedules_are_the_rules():
+    assert rule.SCHEDULES == SCHEDULES
 
 
 def test_all_81_blocks_do_what_the_plain_twin_says():

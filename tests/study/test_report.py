@@ -54,7 +54,12 @@ def test_a_measurement_has_the_digits_its_error_allows(value, error, text):
 
 
 def test_a_number_is_short():
-    assert number(1 / 3) == "0.3333" and number(1e300) == "1e+300" and number(float("inf")) == "inf"
+    assert (
+        number(1 / 3) == "0.3333"
+        and number(1234567.8) == "1,234,568"
+        and number(1e300) == "1e+300"
+        and number(float("inf")) == "inf"
+    )
 
 
 def part(*items):
