@@ -6,8 +6,8 @@ from functools import cache
 import pygame
 
 from game.play import hud, keys, overlay, panel
+from game.play.stage import Stage
 from game.play.tools import Brush
-from game.play.turn import Turn
 from game.play.ui import paint
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
@@ -18,6 +18,7 @@ from game.world.scene import load_scene, scene_title
 from game.world.session import BUDGET_NS, Session
 
 LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
+MARGIN = 8  # pixels at scale 1 around the sand
 FASTER = 2**0.5  # what one press of + does to the speed
 
 
@@ -26,6 +27,7 @@ class Toy:
 
     def __init__(self, window, scene, seed=0, p=None, ui_scale=knob.UI_SCALE.default):
         self.window = window
+        self.stage = Stage(window)
         self.session = Session(scene, seed)
         if p is not None:
             self.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
@@ -38,8 +40,6 @@ class Toy:
         self.help_open = False
         self.panel_shown = True
         self._size = self._cell_size = None
-        self._turn = None
-        self._stale = True  # the sand's part of the window has to be drawn anew
         self._hud_drawn = None
         self._pointer = None
         self._other_ns = 0  # what the last frame spent on anything but stepping
@@ -49,7 +49,6 @@ class Toy:
     def do(self, action):
         """Let a player's act happen."""
         self.session.do(action)
-        self._stale = True
 
     def pause(self):
         """Hold time, or let it go on."""
@@ -59,16 +58,13 @@ class Toy:
         """Run one iteration and hold time."""
         self.session.paused = True
         self.session.step()
-        self._stale = True
 
     def flip(self):
         """Turn the glass over: at once in the lattice, and in half a second on the screen."""
-        if self._turn:
+        if self.stage.turn:
             return
         self.brush.let_go()
-        view, old = self.painter.view, []
-        self.window.paint(lambda pixels: old.append(_cut(pixels, view).copy()))
-        self._turn = Turn(old[0], time.perf_counter())
+        self.stage.start_turn(time.perf_counter())
         self.do(Flip())
 
     def restart(self):
@@ -107,12 +103,10 @@ class Toy:
     def smaller_brush(self):
         """Shrink the brush."""
         self.brush.resize(-1)
-        self._stale = True
 
     def larger_brush(self):
         """Grow the brush."""
         self.brush.resize(1)
-        self._stale = True
 
     def toggle_panel(self):
         """Hide or show the panel."""
@@ -127,7 +121,6 @@ class Toy:
     def toggle_help(self):
         """Open or close the page of keys."""
         self.help_open = not self.help_open
-        self._stale = True
 
     def escape(self):
         """Close what is open; with nothing open, quit."""
@@ -153,12 +146,11 @@ class Toy:
         stepping_ns = self._step(elapsed_ns, now_s)
         self._fit()
         changed = self._draw(now_s)
-        if changed:
-            self.window.show()
+        self.window.show(changed)
         work_ns = time.perf_counter_ns() - start
         self._other_ns = work_ns - stepping_ns
         self.hud.count(work_ns, self.session.due, self.session.done, self._grains, now_s)
-        return changed
+        return bool(changed)
 
     def _lay_out_panel(self, events, now_s, mouse_pos):
         if not self.panel_shown:
@@ -174,7 +166,6 @@ class Toy:
                 getattr(self, command)()
         elif event.type == pygame.MOUSEWHEEL:
             self.brush.resize(event.y)
-            self._stale = True
         elif event.type == pygame.WINDOWFOCUSLOST:
             self.brush.let_go()
         elif event.type in (pygame.WINDOWEXPOSED, pygame.WINDOWSIZECHANGED):
@@ -182,27 +173,22 @@ class Toy:
         elif self.help_open and event.type == pygame.MOUSEBUTTONDOWN:
             self.toggle_help()
         elif self.brush.painting or (event.type == pygame.MOUSEBUTTONDOWN and self.sand_area.collidepoint(event.pos)):
-            for stroke in self.brush.hear(event, self.painter.view):
+            for stroke in self.brush.hear(event, self.stage.view):
                 self.do(stroke)
 
     def _follow(self, mouse_pos):
         """Let the brush's outline follow the pointer."""
         over_sand = mouse_pos is not None and self.sand_area.collidepoint(mouse_pos)
-        pointer = mouse_pos if over_sand or self.brush.painting else None
-        if pointer != self._pointer:
-            self._pointer = pointer
-            self._stale = True
+        self._pointer = mouse_pos if over_sand or self.brush.painting else None
 
     def _step(self, elapsed_ns, now_s):
         """Run what is due and return how long that took; while the glass turns, time stands still."""
-        if self._turn:
-            self._stale = True
-            if not self._turn.over(now_s):
+        if self.stage.turn:
+            if not self.stage.turn.over(now_s):
                 return 0
-            self._turn = None
+            self.stage.end_turn()
         start = time.perf_counter_ns()
-        if self.session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS)):
-            self._stale = True
+        self.session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS))
         return time.perf_counter_ns() - start
 
     def _change_speed(self, factor):
@@ -226,13 +212,9 @@ class Toy:
         bar = self.theme.px(hud.HEIGHT)
         self.sand_area = pygame.Rect(0, 0, wide, size[1] - bar)
         self._hud_area = pygame.Rect(0, size[1] - bar, wide, bar)
-        margin = self.theme.px(8)
-        view = picture.View.fit(shape, margin, margin, wide - 2 * margin, size[1] - bar - 2 * margin)
-        surface = self.window.surface
-        self._ground = surface.map_rgb(picture.GROUND)
-        self.painter = picture.Painter(view, picture.palette(lambda *colour: surface.map_rgb(colour)))
-        surface.fill(picture.GROUND)
-        self._stale, self._hud_drawn = True, None
+        self.window.surface.fill(picture.GROUND)
+        self.stage.fit(shape, self.sand_area, self.theme.px(MARGIN))
+        self._hud_drawn = None
         self.panel.ui.invalidate()
 
     def _scale(self):
@@ -242,47 +224,33 @@ class Toy:
             self.theme = self.panel.ui.theme = self.hud.theme = look.Theme(scale)
 
     def _draw(self, now_s):
-        """Draw the parts of the window that differ from what is on it; return whether any did."""
+        """Draw the parts of the window that differ from what is on it; return their rects."""
         surface = self.window.surface
-        changed = self._stale
-        if self._stale:
-            self._draw_sand(surface, now_s)
+        rects = self.stage.draw(self.session.world, self._outline(), self._overlay(), now_s)
         drawing = self.hud.drawing(self._hud_area, self.session.paused)
         if drawing != self._hud_drawn:
             paint.draw(surface, self.theme, drawing)
             self._hud_drawn = drawing
-            changed = True
-        if self.panel_shown:
-            changed = self.panel.ui.end(surface) or changed
-        self._stale = False
-        return changed
+            rects.append(self._hud_area)
+        if self.panel_shown and self.panel.ui.end(surface):
+            rects.append(self._panel_area)
+        return rects
 
-    def _draw_sand(self, surface, now_s):
-        if self._turn:
-            frame = tuple(self.sand_area)
-            self.window.paint(lambda pixels: self._turn.draw(pixels, self._ground, frame, now_s))
-        else:
-            surface.fill(picture.GROUND, self.sand_area)
-            self.window.paint(lambda pixels: self.painter.draw(self.session.world, pixels))
-        if self.help_open:
-            overlay.draw_help(surface, self.theme, self.sand_area)
-        elif self._pointer and not self._turn:
-            self._draw_outline(surface)
+    def _overlay(self):
+        """Return what draws over the sand now, or None."""
+        return self._draw_help if self.help_open else None
 
-    def _draw_outline(self, surface):
-        view = self.painter.view
-        x, y, radius = self.brush.outline(view.place(*self._pointer), view)
-        surface.set_clip(self.sand_area)
-        pygame.draw.circle(surface, look.SUNKEN, (x, y), max(radius, 2) + 1, 1)
-        pygame.draw.circle(surface, look.TEXT, (x, y), max(radius, 2), 1)
-        surface.set_clip(None)
+    def _draw_help(self, surface):
+        overlay.draw_help(surface, self.theme, self.sand_area)
+
+    def _outline(self):
+        """Return the brush's outline (x, y, radius) in pixels where the pointer is over the sand, or None."""
+        if self._pointer is None or self.stage.turn:
+            return None
+        return self.brush.outline(self.stage.view.place(*self._pointer), self.stage.view)
 
     @cache  # noqa: B019 - there is one toy, and scene files do not change under it
     def title_of(self, name):
         """Return the title of a shipped scene, or of the one that is open."""
         scene = self.session.scene
         return scene.title if name == scene.name else scene_title(name)
-
-
-def _cut(pixels, view):
-    return pixels[view.top : view.top + view.height, view.left : view.left + view.width]
