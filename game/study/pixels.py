@@ -65,7 +65,7 @@ def _seen(sand, cell):
 
 def drains(study):
     """Return {pixels to a cell: [Drain, …]} over a few seeds."""
-    seeds = range(study.either(2, 6))
+    seeds = range(study.either(2, 8))
     return {cell: [drain(cell, seed) for seed in seeds] for cell in study.track(CELLS, "pixels to a cell")}
 
 

@@ -26,15 +26,16 @@ SCATTER = (
 )
 FALLEN = "as many grains per iteration at any size (part 6), so −1"
 COLOURS = {BITS_SERIES: "#b5761f", SOURCE_SERIES: "#a33d3d", RUN_SERIES: "#2f6f8f", SERIES: "#4f8a4b"}
-SPANS = {BITS_SERIES: (0.4, 3), SOURCE_SERIES: (0.4, 3), RUN_SERIES: (0.008, 40), SERIES: (0.008, 40)}
+SPANS = {BITS_SERIES: (0.4, 6), SOURCE_SERIES: (0.4, 6), RUN_SERIES: (0.005, 80), SERIES: (0.005, 80)}
+TICKS = {0.4: (0.5, 1, 2, 5), 0.005: (0.01, 0.1, 1, 10)}  # by the lower end of a span
 GREY = "#8a7f70"
 HEADS = "setting", "value", "rms error", "largest error", "grains misplaced", "floor of the rms", "cost"
 
 
 READING = (
     "The defaults, and why. 32 bits of p: a draw stops as soon as its candidates are decided, so that fewer bits save "
-    "nothing; fewer than 8 show in a forecast of 10,000 runs. A fresh draw for each candidate: 64 blocks share the work "
-    "of three or four random words already, and sharing the draw itself pulls the map off or makes neighbours move as "
+    "nothing; fewer than 8 show in a forecast of 10,000 runs. A fresh draw for each candidate: 64 blocks share the "
+    "work of three or four random words already, and sharing the draw itself pulls the map off or makes neighbours move as "
     "one; a draw for a whole row is the only one that keeps the map of a glass this narrow. 10,000 runs: ten times the "
     "runs are ten times the time for a third of the error, which is below a shade of the map. 3 pixels to a cell: "
     "every size is on the frontier, as error falls and time rises throughout, and none is right for all, because the "
@@ -107,30 +108,36 @@ def _pixel_rows(found):
 
 
 def _figure(points):
-    made, axes = figure(2, 2, width=8.0, height=6.4)
+    made, axes = figure(2, 2, width=8.0, height=6.0)
     for (series, colour), panel in zip(COLOURS.items(), axes.flat, strict=True):
         mine = [each for each in points if each.series == series and each.rms > 0]
         panel.set_title(series, color=colour, fontweight="bold", fontsize=9)
+        panel.loglog([each.cost for each in mine], [each.rms for each in mine], "o", color=colour, markersize=6)
         for each in mine:
-            panel.plot(each.cost, each.rms, "o", color=colour, markersize=6)
-            panel.annotate(each.setting.split(" (")[0], (each.cost, each.rms), (8, -3), textcoords="offset points")
             if each.is_default:
                 panel.plot(each.cost, each.rms, "o", markersize=13, markerfacecolor="none", color=colour)
-        floor = [each.floor for each in mine]
+            _label(panel, each)
+        floors = sorted((each.floor, each.cost) for each in mine)
         if series == RUN_SERIES:
-            panel.plot([each.cost for each in mine], floor, "--", linewidth=0.9, color=GREY)
+            panel.plot(*zip(*((cost, floor) for floor, cost in floors), strict=True), "--", linewidth=0.9, color=GREY)
         else:
-            panel.axhline(floor[-1], linestyle="--", linewidth=0.9, color=GREY)
-        panel.set(xscale="log", yscale="log", xlim=SPANS[series], ylim=(0.008, 30))
-        _ticks(panel)
+            panel.axhline(floors[0][0], linestyle="--", linewidth=0.9, color=GREY)
+        low, high = SPANS[series]
+        panel.set(xlim=(low, high), ylim=(0.008, 30))
+        panel.set_xticks([tick for tick in TICKS[low] if low <= tick <= high], minor=False)
+        panel.set_xticks([], minor=True)
+        panel.xaxis.set_major_formatter("{x:g}")
+        panel.yaxis.set_major_formatter("{x:g}")
     made.supxlabel("cost: time as a multiple of the default's (ringed)", fontsize=9)
     made.supylabel("rms error of the map, percentage points; dashed: chance alone", fontsize=9)
     return made
 
 
-def _ticks(panel):
-    low, high = panel.get_xlim()
-    ticks = [tick for tick in (0.01, 0.03, 0.1, 0.3, 0.5, 1, 2, 3, 10, 30) if low <= tick <= high]
-    panel.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
-    panel.set_xticks([], minor=True)
-    panel.set_yticks([0.01, 0.1, 1, 10], ["0.01", "0.1", "1", "10"])
+def _label(panel, each):
+    """Write a Point's setting beside it, once where many Points lie together."""
+    words = each.setting.split(" (")[0]
+    if each.series == BITS_SERIES and words in ("3", "12", "16", "24"):
+        return
+    words = {"2": "2, 3", "32": "12, 16, 24, 32"}.get(words, words) if each.series == BITS_SERIES else words
+    below = each.is_default and each.series in (BITS_SERIES, SOURCE_SERIES)
+    panel.annotate(words, (each.cost, each.rms), (10, -11 if below else -2), textcoords="offset points", fontsize=8)
