@@ -46,10 +46,10 @@ def drain(cell, seed):
     height, width = HEIGHT // cell, WIDTH // cell
     sand, walls = hourglass(height, width, NECK / cell, 1.0, max(1.0, THICKNESS / cell), 0.75)
     world, grains, half, seconds = World.from_cells(sand, walls, seed), int(sand.sum()), None, 0.0
-    step = max(8, grains // 400)
+    step = max(8, grains // 200)
     while left := grains_above(world, height // 2):
         if half is None and left <= grains / 2:
-            half = _seen(world.sand, cell), pile_heights(world, height // 2 + 1)
+            half = seen(world.sand, cell), pile_heights(world, height // 2 + 1)
         begin = time.perf_counter()
         advance(world, RULE, step)
         seconds += time.perf_counter() - begin
@@ -57,7 +57,7 @@ def drain(cell, seed):
     return Drain(cell, grains, world.iteration, seconds, half[0], profile)
 
 
-def _seen(sand, cell):
+def seen(sand, cell):
     """Return the share of sand in each square of the common grid."""
     pixels = sand.repeat(cell, axis=0).repeat(cell, axis=1)
     return pixels.reshape(HEIGHT // GRID, GRID, WIDTH // GRID, GRID).mean(axis=(1, 3))

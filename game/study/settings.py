@@ -25,8 +25,8 @@ class Bench:
     def __init__(self, study):
         scene = load_scene("paper")
         self.sand, self.walls = scene.sand, scene.walls
-        self.runs, self.reference_runs = study.either(2**17, 2**21), study.either(2**19, 2**23)
-        self.cheap_runs = study.either(800, 30_000)
+        self.runs, self.reference_runs = study.either(2**16, 2**21), study.either(2**18, 2**23)
+        self.cheap_runs = study.either(500, 30_000)
         self.rule = Rule.with_p(P, "balanced")
         self.reference = self.density(P, self.reference_runs, seed=1)
 

@@ -21,9 +21,10 @@ from game.study.settings import (
 )
 
 TITLE = "3. Speed against error"
-SCATTER = (
-    0.12  # of an rms that is chance alone, in floors: over 100 seeds; few cells are uncertain and they move together
-)
+# Standard deviation, over 100 seeds, of an rms that is chance alone, in floors: the few uncertain cells hang together.
+SCATTER = 0.12
+BELOW = "an error of p of 2⁻¹⁷ or less is far below the floor"
+ALIKE = "two kernels of one rule, apart by chance alone"
 FALLEN = "as many grains per iteration at any size (part 6), so −1"
 COLOURS = {BITS_SERIES: "#b5761f", SOURCE_SERIES: "#a33d3d", RUN_SERIES: "#2f6f8f", SERIES: "#4f8a4b"}
 SPANS = {BITS_SERIES: (0.4, 6), SOURCE_SERIES: (0.4, 6), RUN_SERIES: (0.005, 80), SERIES: (0.005, 80)}
@@ -34,13 +35,14 @@ HEADS = "setting", "value", "rms error", "largest error", "grains misplaced", "f
 
 READING = (
     "The defaults, and why. 32 bits of p: a draw stops as soon as its candidates are decided, so that fewer bits save "
-    "nothing; fewer than 8 show in a forecast of 10,000 runs. A fresh draw for each candidate: 64 blocks share the "
-    "work of three or four random words already, and sharing the draw itself pulls the map off or makes neighbours move as "
-    "one; a draw for a whole row is the only one that keeps the map of a glass this narrow. 10,000 runs: ten times the "
-    "runs are ten times the time for a third of the error, which is below a shade of the map. 3 pixels to a cell: "
-    "every size is on the frontier, as error falls and time rises throughout, and none is right for all, because the "
-    "flow is so many grains per iteration at any size and larger cells drain a glass sooner. Iterations to a frame "
-    "change nothing but the overhead of a call. Counts are whole numbers: float32 stops counting at 2²⁴ runs."
+    "nothing, and fewer than 8 show in a forecast of 10,000 runs. A fresh draw for each candidate: 64 blocks share the "
+    "work of three or four random words already, and even block by block sharing saves next to nothing, because "
+    "candidates are few, while it pulls the map off; a draw for a whole row is the only one that keeps the map, of a "
+    "glass this narrow. 10,000 runs: many more runs take many times the time, for an error that is below a shade of "
+    "the map already. 3 pixels to a cell: every size is on the frontier, as error falls and time rises throughout, and "
+    "none is right for all, because the flow is so many grains per iteration at any size and larger cells drain a "
+    "glass sooner. Iterations to a frame change nothing but the overhead of calls. Counts are whole numbers: float32 "
+    "stops counting at 2²⁴ runs."
 )
 
 
@@ -60,7 +62,7 @@ def run(study):
     points = [*bits, *sources, *run_points(study, bench), *pixel_points(found)]
     yield Table("Error and cost of each setting.", HEADS, [_cells(each) for each in points])
     caption = "Error of the density map against cost; ringed: the defaults. Dashed: the statistical floor of a series."
-    yield Picture("trade", _figure(points), caption)
+    yield Picture("trade", drawn(points), caption)
     yield from _bits_rows(bits, certain)
     yield from _source_rows(sources, scatter)
     yield from _pixel_rows(found)
@@ -76,9 +78,7 @@ def _cells(each):
 def _bits_rows(points, certain):
     for each in points[-3:]:
         quantity = f"rms error in floors, bits of p: {each.setting}"
-        yield verdict.close(
-            quantity, each.rms / each.floor, SCATTER, 1.0, "an error of p of 2⁻¹⁷ or less is far below the floor"
-        )
+        yield verdict.close(quantity, each.rms / each.floor, SCATTER, 1.0, BELOW)
     six = points[BITS.index(6)]
     hundredths = 100 * abs(shortened(P, 6) - P)
     quantity = "rms error for a hundredth of p, from 6 bits, percentage points"
@@ -89,9 +89,7 @@ def _bits_rows(points, certain):
 def _source_rows(points, scatter):
     fresh, *others = points
     quantity = "rms difference in floors, plain kernel with fresh draws against the toy's"
-    yield verdict.close(
-        quantity, fresh.rms / fresh.floor, SCATTER, 1.0, "two kernels of one rule, apart by chance alone"
-    )
+    yield verdict.close(quantity, fresh.rms / fresh.floor, SCATTER, 1.0, ALIKE)
     for each in others:
         quantity = f"rms error in floors, draws: {each.setting}"
         yield verdict.noted(quantity, each.rms / each.floor, SCATTER, 1, "as good as fresh")
@@ -107,7 +105,8 @@ def _pixel_rows(found):
     yield verdict.noted(quantity, exponent, None, -1, FALLEN)
 
 
-def _figure(points):
+def drawn(points):
+    """Return the figure of all Points, a panel for each series."""
     made, axes = figure(2, 2, width=8.0, height=6.0)
     for (series, colour), panel in zip(COLOURS.items(), axes.flat, strict=True):
         mine = [each for each in points if each.series == series and each.rms > 0]
