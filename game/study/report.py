@@ -55,6 +55,11 @@ class Section:
         """The rows among the items."""
         return [item for item in self.items if isinstance(item, Row)]
 
+    @property
+    def verdicts(self):
+        """How many rows got each verdict."""
+        return count_verdicts(self.rows)
+
 
 @dataclass
 class Report:
@@ -71,5 +76,10 @@ class Report:
     @property
     def verdicts(self):
         """How many rows got each verdict."""
-        found = Counter(row.verdict for row in self.rows)
-        return {verdict: found[verdict] for verdict in VERDICTS}
+        return count_verdicts(self.rows)
+
+
+def count_verdicts(rows):
+    """Return {verdict: how many of the rows got it}."""
+    found = Counter(row.verdict for row in rows)
+    return {verdict: found[verdict] for verdict in VERDICTS}

@@ -121,15 +121,18 @@ def drawn(points):
             panel.plot(*zip(*((cost, floor) for floor, cost in floors), strict=True), "--", linewidth=0.9, color=GREY)
         else:
             panel.axhline(floors[0][0], linestyle="--", linewidth=0.9, color=GREY)
-        low, high = SPANS[series]
-        panel.set(xlim=(low, high), ylim=(0.008, 30))
-        panel.set_xticks([tick for tick in TICKS[low] if low <= tick <= high], minor=False)
-        panel.set_xticks([], minor=True)
-        panel.xaxis.set_major_formatter("{x:g}")
-        panel.yaxis.set_major_formatter("{x:g}")
+        _mark_axes(panel, *SPANS[series])
     made.supxlabel("cost: time as a multiple of the default's (ringed)", fontsize=9)
     made.supylabel("rms error of the map, percentage points; dashed: chance alone", fontsize=9)
     return made
+
+
+def _mark_axes(panel, low, high):
+    panel.set(xlim=(low, high), ylim=(0.008, 30))
+    panel.set_xticks(TICKS[low])
+    panel.set_xticks([], minor=True)
+    panel.xaxis.set_major_formatter("{x:g}")
+    panel.yaxis.set_major_formatter("{x:g}")
 
 
 def _label(panel, each):

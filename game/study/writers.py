@@ -3,21 +3,23 @@
 import json
 from math import isfinite
 
+from game.study.headlines import HEADLINES
 from game.study.numerals import measurement, number
-from game.study.report import Picture, Row, Table
+from game.study.report import VERDICTS, Picture, Row, Table
 
 HEADS = ("quantity", "measured", "expected", "source", "verdict")
 DPI = 120
 
 
 def write(report, folder):
-    """Write study.md, study.json and the pictures into `folder`, made if need be; return the Markdown's path."""
+    """Write study.md, summary.md, study.json and the pictures into `folder`, made if need be; return the first."""
     folder.mkdir(parents=True, exist_ok=True)
     for section in report.sections:
         for item in section.items:
             if isinstance(item, Picture):
                 item.figure.savefig(folder / f"{item.name}.png", dpi=DPI)
     (folder / "study.json").write_text(json.dumps(_plain(as_dict(report)), indent=1) + "\n", encoding="utf-8")
+    (folder / "summary.md").write_text(summary(report), encoding="utf-8")
     path = folder / "study.md"
     path.write_text(markdown(report), encoding="utf-8")
     return path
@@ -31,6 +33,13 @@ def markdown(report):
     for section in report.sections:
         parts += [f"## {section.title}", *_blocks(section.items)]
     return "\n\n".join(parts) + "\n"
+
+
+def summary(report):
+    """Return the README's table: how many rows of each part have which verdict, and the HEADLINES among them."""
+    counts = [(section.title, *(str(n) for n in section.verdicts.values())) for section in report.sections]
+    rows = [cells(row) for row in report.rows if row.quantity in HEADLINES]
+    return "\n\n".join([_table(("part", *VERDICTS), counts), _table(HEADS, rows)]) + "\n"
 
 
 def cells(row):

@@ -9,6 +9,7 @@ import pytest
 from game import cli
 from game.study import run, verdict
 from game.study.figures import figure
+from game.study.headlines import HEADLINES
 from game.study.numerals import measurement, number
 from game.study.report import AGREES, DIFFERS, DISAGREES, NOTED, Picture, Table
 
@@ -85,6 +86,15 @@ def test_the_report_has_every_item_and_the_status_follows_the_verdicts(tmp_path,
     assert found["sections"][0]["rows"][0]["measured"] == measured
     assert found["verdicts"] == {"agrees": 2 - status, "disagrees": status, "differs": 0, "noted": 0}
     assert (tmp_path / "out" / "line.png").stat().st_size > 1000
+
+
+def test_the_summary_counts_verdicts_and_shows_the_headlines(tmp_path, monkeypatch):
+    headline = sorted(HEADLINES)[0]
+    items = verdict.same(headline, 1, 1, "counting"), verdict.noted("an aside", 2)
+    monkeypatch.setattr(run, "PARTS", {"one": part(*items)})
+    run.run(True, tmp_path, ("one",))
+    text = (tmp_path / "summary.md").read_text("utf-8")
+    assert "| A part | 1 | 0 | 0 | 1 |" in text and headline in text and "an aside" not in text
 
 
 def test_without_its_packages_the_study_says_so_in_one_line(monkeypatch, capsys):
