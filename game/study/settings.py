@@ -15,7 +15,7 @@ MOMENT = 200  # iterations, as in the paper's density maps
 BITS = (1, 2, 3, 4, 6, 8, 12, 16, 24, 32)
 RUN_NUMBERS = (100, 1_000, 10_000, 100_000)
 ROUNDS = 9
-CHUNKS = 5  # of the runs with one source, taken in turn so that a busy machine slows all alike
+CHUNK = 100  # runs with one source before the next has its turn: a busy machine slows all alike
 BITS_SERIES, SOURCE_SERIES, RUN_SERIES = "bits of p", "source of random bits", "runs of a forecast"
 
 
@@ -72,19 +72,19 @@ def _costs_of_bits():
 
 def source_points(study, bench):
     """Return (Points of the sources, {source: scatter of the surplus of grains on one side, in grains})."""
-    chunk = bench.cheap_runs // CHUNKS
+    chunks = bench.cheap_runs // CHUNK
     times, found = dict.fromkeys(SOURCES, np.inf), {words: [] for words in SOURCES}
     run_cheaply(bench.sand, bench.walls, P, bench.rule.offsets, 1, 1, FRESH, 0)  # compiles
-    for number in study.track(range(CHUNKS), "sources of random bits"):
+    for number in study.track(range(chunks), "sources of random bits"):
         for words, source in SOURCES.items():
             begin = time.perf_counter()
-            one = run_cheaply(bench.sand, bench.walls, P, bench.rule.offsets, MOMENT, chunk, source, 300 + number)
+            one = run_cheaply(bench.sand, bench.walls, P, bench.rule.offsets, MOMENT, CHUNK, source, 300 + number)
             times[words] = min(times[words], time.perf_counter() - begin)
             found[words].append(one)
     fresh = next(iter(SOURCES))
-    points, scatter, floor = [], {}, bench.floor(CHUNKS * chunk)
+    points, scatter, floor = [], {}, bench.floor(bench.cheap_runs)
     for words, each in found.items():
-        density = sum(counts for counts, _ in each) / (CHUNKS * chunk)
+        density = sum(counts for counts, _ in each) / bench.cheap_runs
         cost, scatter[words] = times[words] / times[fresh], float(np.concatenate([s for _, s in each]).std())
         points.append(point(SOURCE_SERIES, words, density, bench.reference, floor, cost, words == fresh))
     return points, scatter
