@@ -36,9 +36,9 @@ HEADS = "setting", "value", "rms error", "largest error", "grains misplaced", "f
 READING = (
     "The defaults, and why. 32 bits of p: a draw stops as soon as its candidates are decided, so that fewer bits save "
     "nothing, and fewer than 8 show in a forecast of 10,000 runs. A fresh draw for each candidate: 64 blocks share the "
-    "work of three or four random words already, and even block by block sharing saves little, because candidates "
-    "are few, while it pulls the map off; a draw for a whole row is the only one that hardly does, in a glass this "
-    "narrow. 10,000 runs: many more runs take many times the time, for an error that is below a shade of "
+    "work of three or four random words already, and even block by block sharing saves a percent or two, because "
+    "candidates are few, while it pulls the map off; a draw for a whole row is the only one that hardly does, in a "
+    "glass this narrow. 10,000 runs: many more runs take many times the time, for an error that is below a shade of "
     "the map already. 3 pixels to a cell: every size is on the frontier, as error falls and time rises throughout, and "
     "none is right for all, because the flow is so many grains per iteration at any size and larger cells drain a "
     "glass sooner. Iterations to a frame change nothing but the overhead of calls. Counts are whole numbers: float32 "
