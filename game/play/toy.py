@@ -1,68 +1,91 @@
-"""The toy: one window's state, what each command does to it, and one frame of it."""
+"""The toy: one window's state, and one frame of it."""
 
 import time
 from functools import cache
 
 import pygame
 
-from game.play import hud, keys, overlay, panel
+from game.play import hud, keys, overlay, panel, timebar
+from game.play.background import Background
+from game.play.commands import Commands
+from game.play.files import Files
+from game.play.gallery import Gallery
+from game.play.notice import Notices
+from game.play.photo import PhotoCard
+from game.play.question import Question
+from game.play.recorder import Recorder
+from game.play.recovery import Recovery
+from game.play.rewind import Rewind
 from game.play.tools import Brush
 from game.play.turn import Turn
 from game.play.ui import paint
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
 from game.world import knob, picture
-from game.world.action import Clear, Flip, Load, SetRule
+from game.world.action import Flip, Load, SetRule
 from game.world.rule import Rule
 from game.world.scene import load_scene, scene_title
 from game.world.session import BUDGET_NS, Session
 
 LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
-FASTER = 2**0.5  # what one press of + does to the speed
 
 
 class Toy:
-    """Everything the window holds. `frame` is called once for each frame; commands are methods named in `keys`."""
+    """Everything the window holds. `frame` is called once for each frame; keys call methods of `commands`."""
+
+    SEEK_NS = 30_000_000  # a frame may take this long on the way to another moment: more than two snapshots are apart
 
     def __init__(self, window, scene, seed=0, p=None, ui_scale=knob.UI_SCALE.default):
         self.window = window
         self.session = Session(scene, seed)
-        if p is not None:
-            self.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
+        self._former = []  # the sessions that others were opened over
         self.ui_scale = ui_scale
         self.theme = look.Theme(ui_scale)
         self.brush = Brush()
+        self.commands = Commands(self)
         self.panel = panel.Panel(Ui(self.theme))
         self.hud = hud.Hud(self.theme)
         self.running = True
         self.help_open = False
         self.panel_shown = True
+        self.undo_goes_back = False  # undo goes to the moment of the act it takes back
         self._size = self._cell_size = None
         self._turn = None
         self._stale = True  # the sand's part of the window has to be drawn anew
-        self._hud_drawn = None
+        self._hud_drawn = self._bar_drawn = None
         self._pointer = None
         self._other_ns = 0  # what the last frame spent on anything but stepping
+        self._gather_helpers()
+        if p is not None:
+            self.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
 
-    # --- commands ---
+    def _gather_helpers(self):
+        self.notices = Notices()
+        self.background = Background(lambda error: self.notices.say(error, trouble=True))
+        self.rewind = Rewind()
+        self.time_bar = timebar.TimeBar(self.theme)
+        self.files, self.gallery = Files(self), Gallery(self)
+        self.photo, self.question = PhotoCard(self), Question(self.refresh)
+        self.recorder, self.recovery = Recorder(self), Recovery(self)
+        self.overlays = [self.notices, self.question, self.gallery, self.photo]  # the last one lies on top
 
-    def do(self, action):
-        """Let a player's act happen."""
-        self.session.do(action)
+    # --- what the parts ask of it ---
+
+    def do(self, action, join=False):
+        """Let a player's act happen; `join`: undo takes it back together with the act before."""
+        self.session.do(action, join)
+        self.refresh()
+
+    def refresh(self):
+        """Have the sand and what lies over it drawn anew."""
         self._stale = True
 
-    def pause(self):
-        """Hold time, or let it go on."""
-        self.session.paused = not self.session.paused
+    def lay_out_anew(self):
+        """Have everything laid out and drawn anew."""
+        self._size = None
 
-    def step(self):
-        """Run one iteration and hold time."""
-        self.session.paused = True
-        self.session.step()
-        self._stale = True
-
-    def flip(self):
-        """Turn the glass over: at once in the lattice, and in half a second on the screen."""
+    def turn_over(self):
+        """Flip the lattice and let its old picture turn."""
         if self._turn:
             return
         self.brush.let_go()
@@ -71,72 +94,49 @@ class Toy:
         self._turn = Turn(old[0], time.perf_counter())
         self.do(Flip())
 
-    def restart(self):
-        """Start the scene again."""
-        self.do(Load(self.session.scene, self.session.seed))
-
     def load(self, name):
-        """Put the scene of that name in place of this one."""
-        self.do(Load(load_scene(name), self.session.seed))
-        self._size = None
+        """Put the shipped scene of that name in place of this one."""
+        self.open_scene(load_scene(name), self.session.seed)
 
-    def clear(self):
-        """Take all sand away."""
-        self.do(Clear())
+    def open_scene(self, scene, seed):
+        """Put a scene in place of this one; it is an act, and can be taken back."""
+        self.do(Load(scene, seed))
+        self.lay_out_anew()
 
-    def faster(self):
-        """Speed time up by half."""
-        self._change_speed(FASTER)
-
-    def slower(self):
-        """Slow time down by a third."""
-        self._change_speed(1 / FASTER)
-
-    def take_sand(self):
-        """Paint sand from now on."""
-        self.brush.material = "sand"
-
-    def take_wall(self):
-        """Paint walls from now on."""
-        self.brush.material = "wall"
-
-    def take_eraser(self):
-        """Erase from now on."""
-        self.brush.material = "erase"
-
-    def smaller_brush(self):
-        """Shrink the brush."""
-        self.brush.resize(-1)
-        self._stale = True
-
-    def larger_brush(self):
-        """Grow the brush."""
-        self.brush.resize(1)
-        self._stale = True
-
-    def toggle_panel(self):
-        """Hide or show the panel."""
-        self.panel_shown = not self.panel_shown
-        self._size = None
-
-    def toggle_fullscreen(self):
-        """Fill the screen, or go back."""
-        self.window.toggle_fullscreen()
-        self._size = None
-
-    def toggle_help(self):
-        """Open or close the page of keys."""
-        self.help_open = not self.help_open
-        self._stale = True
-
-    def escape(self):
-        """Close what is open; with nothing open, quit."""
-        if self.help_open:
-            self.toggle_help()
-        elif self.window.fullscreen:
-            self.toggle_fullscreen()
+    def open_session(self, session):
+        """Play another session, and keep this one behind it if anything was done in it."""
+        if self.session.timeline.history.line.before is not None or self._former:
+            self._former.append(self.session)
         else:
-            self.running = False
+            self.recovery.close(self.session)
+        self._take(session)
+
+    def leave_session(self):
+        """Go back to the session that this one was opened over; return whether there is one."""
+        if self._former:
+            self.recovery.close(self.session)
+            self._take(self._former.pop())
+            return True
+        return False
+
+    @property
+    def can_leave_session(self):
+        """Whether this session was opened over another."""
+        return bool(self._former)
+
+    def close(self):
+        """End every session's journal and wait for what is being written."""
+        self.recorder.stop()
+        for session in (*self._former, self.session):
+            self.recovery.close(session)
+        self.background.finish()
+
+    def _take(self, session):
+        session.timeline.memory_mb = self.session.timeline.memory_mb
+        self.brush.let_go()
+        self._turn, self.session = None, session
+        self.lay_out_anew()
+        self.refresh()
 
     # --- one frame ---
 
@@ -144,21 +144,27 @@ class Toy:
         """Hear events, run the iterations due after `elapsed_ns`, draw what changed; return whether anything did."""
         start = time.perf_counter_ns()
         self._fit()
-        rest = self._lay_out_panel(events, now_s, mouse_pos)
-        for event in rest:
+        self.background.hear()
+        for event in self._lay_out_panel(self._heard_on_top(events), now_s, mouse_pos):
             self._hear(event)
         for stroke in self.brush.pour():
-            self.do(stroke)
+            self.do(stroke, join=True)
         self._follow(mouse_pos)
         stepping_ns = self._step(elapsed_ns, now_s)
+        self._tell(now_s)
         self._fit()
         changed = self._draw(now_s)
         if changed:
             self.window.show()
+        self.recorder.look(now_s)
         work_ns = time.perf_counter_ns() - start
         self._other_ns = work_ns - stepping_ns
-        self.hud.count(work_ns, self.session.due, self.session.done, self._grains, now_s)
+        self.hud.count(work_ns, self.session, now_s)
         return changed
+
+    def _heard_on_top(self, events):
+        """Return the events that nothing which lies over the sand has taken."""
+        return [event for event in events if not any(each.shown and each.hear(event) for each in self.overlays[::-1])]
 
     def _lay_out_panel(self, events, now_s, mouse_pos):
         if not self.panel_shown:
@@ -168,22 +174,36 @@ class Toy:
     def _hear(self, event):
         if event.type == pygame.QUIT:
             self.running = False
+        elif self.rewind.hear(event):
+            self.brush.let_go()
         elif event.type == pygame.KEYDOWN:
             command = keys.command(event)
             if command:
-                getattr(self, command)()
+                getattr(self.commands, command)()
         elif event.type == pygame.MOUSEWHEEL:
             self.brush.resize(event.y)
-            self._stale = True
+            self.refresh()
         elif event.type == pygame.WINDOWFOCUSLOST:
             self.brush.let_go()
+            self.time_bar.hear(event)
         elif event.type in (pygame.WINDOWEXPOSED, pygame.WINDOWSIZECHANGED):
-            self._size = None
+            self.lay_out_anew()
+        elif event.type == pygame.DROPFILE:
+            self.files.open(event.file)
         elif self.help_open and event.type == pygame.MOUSEBUTTONDOWN:
-            self.toggle_help()
-        elif self.brush.painting or (event.type == pygame.MOUSEBUTTONDOWN and self.sand_area.collidepoint(event.pos)):
-            for stroke in self.brush.hear(event, self.painter.view):
-                self.do(stroke)
+            self.commands.toggle_help()
+        else:
+            self._hear_pointer(event)
+
+    def _hear_pointer(self, event):
+        """Give an event of the pointer to the brush or the time bar, whichever it is over or held by."""
+        on_sand = event.type == pygame.MOUSEBUTTONDOWN and self.sand_area.collidepoint(event.pos)
+        going_on = self.brush.painting
+        if not going_on and self.time_bar.hear(event):
+            self._turn = None
+        elif going_on or on_sand:
+            for number, stroke in enumerate(self.brush.hear(event, self.painter.view)):
+                self.do(stroke, join=going_on or number > 0)
 
     def _follow(self, mouse_pos):
         """Let the brush's outline follow the pointer."""
@@ -191,26 +211,49 @@ class Toy:
         pointer = mouse_pos if over_sand or self.brush.painting else None
         if pointer != self._pointer:
             self._pointer = pointer
-            self._stale = True
+            self.refresh()
 
     def _step(self, elapsed_ns, now_s):
         """Run what is due and return how long that took; while the glass turns, time stands still."""
+        start = time.perf_counter_ns()
+        if self.time_bar.held or self.rewind.held:
+            self._turn = None
+            self._go_to_another_moment(elapsed_ns)
+            return time.perf_counter_ns() - start
         if self._turn:
-            self._stale = True
+            self.refresh()
             if not self._turn.over(now_s):
                 return 0
             self._turn = None
-        start = time.perf_counter_ns()
         if self.session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS)):
-            self._stale = True
+            self.refresh()
         return time.perf_counter_ns() - start
 
-    def _change_speed(self, factor):
-        clock = self.session.clock
-        clock.speed = min(max(clock.speed * factor, knob.SPEED.low), knob.SPEED.high)
+    def _go_to_another_moment(self, elapsed_ns):
+        """Follow the time bar's handle or the rewind; what is half computed is not shown."""
+        session = self.session
+        session.due = session.done = 0
+        if self.time_bar.held:
+            goal = self.time_bar.goal(session)
+        elif session.timeline.goal is not None:  # the last frame did not get there: first things first
+            goal = session.timeline.goal
+        else:
+            goal = self.rewind.goal(session, elapsed_ns)
+        if goal == session.timeline.moment.now and session.timeline.goal is None:
+            return
+        arrived = session.timeline.catch_up(self.SEEK_NS) if goal == session.timeline.goal else None
+        if arrived is None:
+            arrived = session.seek(goal, self.SEEK_NS)
+        if arrived:
+            self.refresh()
 
-    def _grains(self):
-        return self.session.world.grains
+    def _tell(self, now_s):
+        """Show what there is to say: trouble with the journal, and lines that come and go."""
+        if self.session.trouble:
+            self.notices.say(f"{self.session.trouble}; the sand goes on, unrecorded", trouble=True)
+            self.session.trouble = None
+        if self.notices.pass_time(now_s):
+            self.refresh()
 
     # --- drawing ---
 
@@ -223,23 +266,24 @@ class Toy:
         self._scale()
         self._panel_area = panel.area(self.theme, size)
         wide = size[0] - (self._panel_area.width if self.panel_shown else 0)
-        bar = self.theme.px(hud.HEIGHT)
-        self.sand_area = pygame.Rect(0, 0, wide, size[1] - bar)
-        self._hud_area = pygame.Rect(0, size[1] - bar, wide, bar)
+        bar, line = self.theme.px(timebar.HEIGHT), self.theme.px(hud.HEIGHT)
+        self.sand_area = pygame.Rect(0, 0, wide, size[1] - bar - line)
+        self.time_bar.area = pygame.Rect(0, self.sand_area.bottom, wide, bar)
+        self._hud_area = pygame.Rect(0, size[1] - line, wide, line)
         margin = self.theme.px(8)
-        view = picture.View.fit(shape, margin, margin, wide - 2 * margin, size[1] - bar - 2 * margin)
+        view = picture.View.fit(shape, margin, margin, wide - 2 * margin, self.sand_area.height - 2 * margin)
         surface = self.window.surface
         self._ground = surface.map_rgb(picture.GROUND)
         self.painter = picture.Painter(view, picture.palette(lambda *colour: surface.map_rgb(colour)))
         surface.fill(picture.GROUND)
-        self._stale, self._hud_drawn = True, None
+        self._stale, self._hud_drawn, self._bar_drawn = True, None, None
         self.panel.ui.invalidate()
 
     def _scale(self):
         """Keep the UI scale that was asked for, as far as the window leaves room for it."""
         scale = panel.fitting_scale(self.ui_scale, self.window.size[0])
         if scale != self.theme.scale:
-            self.theme = self.panel.ui.theme = self.hud.theme = look.Theme(scale)
+            self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.Theme(scale)
 
     def _draw(self, now_s):
         """Draw the parts of the window that differ from what is on it; return whether any did."""
@@ -247,7 +291,12 @@ class Toy:
         changed = self._stale
         if self._stale:
             self._draw_sand(surface, now_s)
-        drawing = self.hud.drawing(self._hud_area, self.session.paused)
+        bar = self.time_bar.drawing(self.session)
+        if bar != self._bar_drawn:
+            paint.draw(surface, self.theme, bar)
+            self._bar_drawn = bar
+            changed = True
+        drawing = self.hud.drawing(self._hud_area, self.session, self.recorder.said)
         if drawing != self._hud_drawn:
             paint.draw(surface, self.theme, drawing)
             self._hud_drawn = drawing
@@ -268,6 +317,9 @@ class Toy:
             overlay.draw_help(surface, self.theme, self.sand_area)
         elif self._pointer and not self._turn:
             self._draw_outline(surface)
+        for each in self.overlays:
+            if each.shown:
+                each.draw(surface, self.theme, self.sand_area)
 
     def _draw_outline(self, surface):
         view = self.painter.view
