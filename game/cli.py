@@ -5,7 +5,7 @@ import sys
 
 from game.world import knob
 
-COMMANDS = ("headless",)
+COMMANDS = ("headless", "bench")
 
 
 class _Parser(argparse.ArgumentParser):
@@ -21,6 +21,8 @@ def main(arguments=None):
         if arguments[:1] == ["headless"]:
             options = _headless_parser().parse_args(arguments[1:])
             return _headless(options) if options.replay is None else _replay(options)
+        if arguments[:1] == ["bench"]:
+            return _bench(_bench_parser().parse_args(arguments[1:]))
         return _play(_play_parser().parse_args(arguments))
     except BrokenPipeError:
         return 0
@@ -61,7 +63,7 @@ def _play_parser():
     parser = _Parser(
         prog="sandglass",
         description="Sand that you paint, pour, stop with walls and turn over.",
-        epilog="commands: headless (the same frames without a window, timed); add --help for theirs",
+        epilog="commands: headless (frames without a window, timed), bench (how fast it is); add --help for theirs",
     )
     _scene_options(parser)
     parser.add_argument("--cell", type=_setting(knob.CELL), metavar="PX", help=f"{knob.CELL.meaning}, in pixels")
@@ -78,6 +80,18 @@ def _headless_parser():
     parser.add_argument("--frames", type=_setting(knob.FRAMES), default=knob.FRAMES.default, help=knob.FRAMES.meaning)
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument("--replay", metavar="FILE", help="compute a recorded session to its end instead")
+    return parser
+
+
+def _bench_parser():
+    parser = _Parser(
+        prog="sandglass bench", description="Measure how fast the sand is, beside the paper, peers and the memory."
+    )
+    parser.add_argument(
+        "--quick", action="store_true", help="smaller lattices and fewer rounds: half a minute, not six"
+    )
+    parser.add_argument("--json", action="store_true", help="print one JSON object")
+    parser.add_argument("--out", metavar="DIR", help="write the tables as Markdown and JSON, and a picture")
     return parser
 
 
@@ -114,6 +128,16 @@ def _replay(options):
     report = headless.replay(recording)
     print(headless.replay_text(report, options.json))
     return headless.replay_status(report)
+
+
+def _bench(options):
+    from game.study.bench import command
+
+    try:
+        return command.run(options.quick, options.json, options.out)
+    except command.CannotWriteError as error:
+        print(f"sandglass bench: {error}", file=sys.stderr)
+        return 2
 
 
 def _play(options):

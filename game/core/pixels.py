@@ -11,6 +11,8 @@ EMPTY, GRAIN, WALL, SURFACE = range(4)  # what a cell looks like: a surface is a
 
 _ONE = np.uint64(1)
 _BYTE = np.uint64(8)
+_SHADE_BITS, _CODE_BITS, _HALF = np.uint16(3), np.uint16(5), np.uint16(8)  # a look and a shade make a code of five bits
+_CODE = np.uint16(31)
 _POINT_BITS = 20  # positions in a turned picture are fixed-point numbers with this many binary places
 _POINT = 1 << _POINT_BITS
 
@@ -46,24 +48,24 @@ def _looks_of_row(planes, stride, words, y, bits, looks):
 
 
 @gate
-def _colours_of_row(looks, shades, palette, colours):
-    """Look up the colour of every cell of a row."""
-    for first in range(0, looks.size, TEXTURE):
-        for x in range(TEXTURE):
-            colours[first + x] = palette[looks[first + x] * SHADES + shades[x]]
+def _colours_of_row(looks, shades, pairs, colours):
+    """Look up the colours of every two neighbours of a row at once."""
+    for k in range(looks.size):
+        codes = (looks[k] << _SHADE_BITS) | shades[k]
+        colours[k] = pairs[np.uint64((codes & _CODE) | ((codes >> _HALF) << _CODE_BITS))]
 
 
 @kernel
-def draw_cells(planes, stride, words, columns, rows, texture, palette, pixels, top, left):
-    """Draw the lattice into `pixels`, an (h, w) uint32 array, in place.
+def draw_cells(planes, stride, words, columns, rows, shades, pairs, pixels, top, left):
+    """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
     columns, rows: int32, the lattice column of each pixel column from `left` and the lattice row of each pixel row from
-    `top`. texture: (TEXTURE, TEXTURE) uint8 shades. palette: (4 looks, SHADES) uint32 pixel values.
+    `top`. shades: (TEXTURE, 64·words) uint16, those of two neighbours a value. pairs: what `pairs_of` gives.
     """
     bits = np.empty((4, words), np.uint64)
     looks = np.empty(BITS * words, np.uint16)
-    colours = np.empty(2 * BITS * words, np.uint32)
-    flat_palette = palette.ravel()
+    colours = np.empty(BITS * words, np.uint64)
+    cells = colours.view(np.uint32)
     width = len(columns)
     unscaled = columns[width - 1] - columns[0] == width - 1
     for i in range(len(rows)):
@@ -73,12 +75,23 @@ def draw_cells(planes, stride, words, columns, rows, texture, palette, pixels, t
             line[:] = pixels[top + i - 1, left : left + width]
             continue
         _looks_of_row(planes, stride, words, y, bits, looks)
-        _colours_of_row(looks.view(np.uint8), texture[y % TEXTURE], flat_palette, colours)
+        _colours_of_row(looks, shades[y % TEXTURE], pairs, colours)
         if unscaled:
-            line[:] = colours[columns[0] : columns[0] + width]
+            line[:] = cells[columns[0] : columns[0] + width]
         else:
             for j in range(width):
-                line[j] = colours[columns[j]]
+                line[j] = cells[columns[j]]
+
+
+def pairs_of(palette):
+    """Return the (1024,) uint64 colours of two neighbours, the left one lower, from (4 looks, SHADES) uint32."""
+    codes = palette.ravel().astype(np.uint64)
+    return (codes[None, :] | (codes[:, None] << np.uint64(32))).ravel()
+
+
+def shades_of(texture, words):
+    """Return the shades of (TEXTURE, TEXTURE) uint8 for rows of `words` words, two neighbours a uint16."""
+    return np.tile(texture, 2 * BITS * words // TEXTURE).view("<u2").astype(np.uint16)
 
 
 @kernel

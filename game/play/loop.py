@@ -21,7 +21,7 @@ def play(scene, seed=0, p=None, cell=None, fullscreen=False, ui_scale=1.0):
     """Play `scene` in a window until the player quits; raise NoDisplayError if there is none to open one on."""
     pygame.font.init()
     theme = Theme(ui_scale)
-    window = Window(_window_size(scene, cell or scene.cell, theme), fullscreen)
+    window = Window(window_size(scene, cell or scene.cell, theme), fullscreen)
     if not _make_ready(window, theme, prepare.steps(scene.rule)):
         return 0
     toy = Toy(window, scene, seed, p, ui_scale)
@@ -43,7 +43,8 @@ def run(toy):
         pace.tick(FRAMES_PER_SECOND)
 
 
-def _window_size(scene, cell, theme):
+def window_size(scene, cell, theme):
+    """Return the (width, height) in pixels of a window that shows `scene` with `cell` pixels to a cell."""
     height, width = (side * cell + MARGIN for side in scene.shape)
     return width + theme.px(panel.WIDTH), max(height + theme.px(hud.HEIGHT), theme.px(560))
 

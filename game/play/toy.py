@@ -16,8 +16,8 @@ from game.play.question import Question
 from game.play.recorder import Recorder
 from game.play.recovery import Recovery
 from game.play.rewind import Rewind
+from game.play.stage import Stage
 from game.play.tools import Brush
-from game.play.turn import Turn
 from game.play.ui import paint
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
@@ -28,6 +28,7 @@ from game.world.scene import load_scene, scene_title
 from game.world.session import BUDGET_NS, Session
 
 LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
+MARGIN = 8  # pixels at scale 1 around the sand
 
 
 class Toy:
@@ -37,6 +38,7 @@ class Toy:
 
     def __init__(self, window, scene, seed=0, p=None, ui_scale=knob.UI_SCALE.default):
         self.window = window
+        self.stage = Stage(window)
         self.session = Session(scene, seed)
         self._former = []  # the sessions that others were opened over
         self.ui_scale = ui_scale
@@ -50,8 +52,8 @@ class Toy:
         self.panel_shown = True
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
         self._size = self._cell_size = None
-        self._turn = None
-        self._stale = True  # the sand's part of the window has to be drawn anew
+        self._stale = False  # the stage has to be drawn anew
+        self._lost = False  # the moment that is computed is not the one to show
         self._hud_drawn = self._bar_drawn = None
         self._pointer = None
         self._other_ns = 0  # what the last frame spent on anything but stepping
@@ -67,6 +69,7 @@ class Toy:
         self.files, self.gallery = Files(self), Gallery(self)
         self.photo, self.question = PhotoCard(self), Question(self.refresh)
         self.recorder, self.recovery = Recorder(self), Recovery(self)
+        self._lay_over = self._draw_over  # one object, which the stage knows again
         self.overlays = [self.notices, self.question, self.gallery, self.photo]  # the last one lies on top
 
     # --- what the parts ask of it ---
@@ -74,10 +77,9 @@ class Toy:
     def do(self, action, join=False):
         """Let a player's act happen; `join`: undo takes it back together with the act before."""
         self.session.do(action, join)
-        self.refresh()
 
     def refresh(self):
-        """Have the sand and what lies over it drawn anew."""
+        """Have the stage drawn anew: what lies over the sand looks different."""
         self._stale = True
 
     def lay_out_anew(self):
@@ -86,12 +88,10 @@ class Toy:
 
     def turn_over(self):
         """Flip the lattice and let its old picture turn."""
-        if self._turn:
+        if self.stage.turn:
             return
         self.brush.let_go()
-        view, old = self.painter.view, []
-        self.window.paint(lambda pixels: old.append(_cut(pixels, view).copy()))
-        self._turn = Turn(old[0], time.perf_counter())
+        self.stage.start_turn(time.perf_counter())
         self.do(Flip())
 
     def load(self, name):
@@ -134,9 +134,8 @@ class Toy:
     def _take(self, session):
         session.timeline.memory_mb = self.session.timeline.memory_mb
         self.brush.let_go()
-        self._turn, self.session = None, session
+        self.stage.turn, self.session = None, session
         self.lay_out_anew()
-        self.refresh()
 
     # --- one frame ---
 
@@ -154,13 +153,12 @@ class Toy:
         self._tell(now_s)
         self._fit()
         changed = self._draw(now_s)
-        if changed:
-            self.window.show()
+        self.window.show(changed)
         self.recorder.look(now_s)
         work_ns = time.perf_counter_ns() - start
         self._other_ns = work_ns - stepping_ns
         self.hud.count(work_ns, self.session, now_s)
-        return changed
+        return bool(changed)
 
     def _heard_on_top(self, events):
         """Return the events that nothing which lies over the sand has taken."""
@@ -182,7 +180,6 @@ class Toy:
                 getattr(self.commands, command)()
         elif event.type == pygame.MOUSEWHEEL:
             self.brush.resize(event.y)
-            self.refresh()
         elif event.type == pygame.WINDOWFOCUSLOST:
             self.brush.let_go()
             self.time_bar.hear(event)
@@ -200,52 +197,43 @@ class Toy:
         on_sand = event.type == pygame.MOUSEBUTTONDOWN and self.sand_area.collidepoint(event.pos)
         going_on = self.brush.painting
         if not going_on and self.time_bar.hear(event):
-            self._turn = None
+            self.brush.let_go()
         elif going_on or on_sand:
-            for number, stroke in enumerate(self.brush.hear(event, self.painter.view)):
+            for number, stroke in enumerate(self.brush.hear(event, self.stage.view)):
                 self.do(stroke, join=going_on or number > 0)
 
     def _follow(self, mouse_pos):
         """Let the brush's outline follow the pointer."""
         over_sand = mouse_pos is not None and self.sand_area.collidepoint(mouse_pos)
-        pointer = mouse_pos if over_sand or self.brush.painting else None
-        if pointer != self._pointer:
-            self._pointer = pointer
-            self.refresh()
+        self._pointer = mouse_pos if over_sand or self.brush.painting else None
 
     def _step(self, elapsed_ns, now_s):
         """Run what is due and return how long that took; while the glass turns, time stands still."""
         start = time.perf_counter_ns()
+        self._lost = False
         if self.time_bar.held or self.rewind.held:
-            self._turn = None
-            self._go_to_another_moment(elapsed_ns)
+            if self.stage.turn:
+                self.stage.end_turn()
+            self._lost = not self._go_to_another_moment(elapsed_ns)
             return time.perf_counter_ns() - start
-        if self._turn:
-            self.refresh()
-            if not self._turn.over(now_s):
+        if self.stage.turn:
+            if not self.stage.turn.over(now_s):
                 return 0
-            self._turn = None
-        if self.session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS)):
-            self.refresh()
+            self.stage.end_turn()
+        self.session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS))
         return time.perf_counter_ns() - start
 
     def _go_to_another_moment(self, elapsed_ns):
-        """Follow the time bar's handle or the rewind; what is half computed is not shown."""
-        session = self.session
+        """Follow the time bar's handle or the rewind; return whether the moment wanted is there to be shown."""
+        session, timeline = self.session, self.session.timeline
         session.due = session.done = 0
         if self.time_bar.held:
             goal = self.time_bar.goal(session)
-        elif session.timeline.goal is not None:  # the last frame did not get there: first things first
-            goal = session.timeline.goal
-        else:
-            goal = self.rewind.goal(session, elapsed_ns)
-        if goal == session.timeline.moment.now and session.timeline.goal is None:
-            return
-        arrived = session.timeline.catch_up(self.SEEK_NS) if goal == session.timeline.goal else None
-        if arrived is None:
-            arrived = session.seek(goal, self.SEEK_NS)
-        if arrived:
-            self.refresh()
+        else:  # where the last frame did not get, this one goes first
+            goal = self.rewind.goal(session, elapsed_ns) if timeline.goal is None else timeline.goal
+        if goal == timeline.goal:
+            return timeline.catch_up(self.SEEK_NS)
+        return goal == session.now or session.seek(goal, self.SEEK_NS)
 
     def _tell(self, now_s):
         """Show what there is to say: trouble with the journal, and lines that come and go."""
@@ -270,13 +258,9 @@ class Toy:
         self.sand_area = pygame.Rect(0, 0, wide, size[1] - bar - line)
         self.time_bar.area = pygame.Rect(0, self.sand_area.bottom, wide, bar)
         self._hud_area = pygame.Rect(0, size[1] - line, wide, line)
-        margin = self.theme.px(8)
-        view = picture.View.fit(shape, margin, margin, wide - 2 * margin, self.sand_area.height - 2 * margin)
-        surface = self.window.surface
-        self._ground = surface.map_rgb(picture.GROUND)
-        self.painter = picture.Painter(view, picture.palette(lambda *colour: surface.map_rgb(colour)))
-        surface.fill(picture.GROUND)
-        self._stale, self._hud_drawn, self._bar_drawn = True, None, None
+        self.window.surface.fill(picture.GROUND)
+        self.stage.fit(shape, self.sand_area, self.theme.px(MARGIN))
+        self._hud_drawn = self._bar_drawn = None
         self.panel.ui.invalidate()
 
     def _scale(self):
@@ -286,55 +270,47 @@ class Toy:
             self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.Theme(scale)
 
     def _draw(self, now_s):
-        """Draw the parts of the window that differ from what is on it; return whether any did."""
+        """Draw the parts of the window that differ from what is on it; return their rects."""
         surface = self.window.surface
-        changed = self._stale
         if self._stale:
-            self._draw_sand(surface, now_s)
+            self.stage.refresh()
+        rects = []
+        if self._stale or not self._lost:
+            rects = self.stage.draw(self.session.world, self._outline(), self._overlay(), now_s)
+        self._stale = False
         bar = self.time_bar.drawing(self.session)
         if bar != self._bar_drawn:
             paint.draw(surface, self.theme, bar)
             self._bar_drawn = bar
-            changed = True
+            rects.append(self.time_bar.area)
         drawing = self.hud.drawing(self._hud_area, self.session, self.recorder.said)
         if drawing != self._hud_drawn:
             paint.draw(surface, self.theme, drawing)
             self._hud_drawn = drawing
-            changed = True
-        if self.panel_shown:
-            changed = self.panel.ui.end(surface) or changed
-        self._stale = False
-        return changed
+            rects.append(self._hud_area)
+        if self.panel_shown and self.panel.ui.end(surface):
+            rects.append(self._panel_area)
+        return rects
 
-    def _draw_sand(self, surface, now_s):
-        if self._turn:
-            frame = tuple(self.sand_area)
-            self.window.paint(lambda pixels: self._turn.draw(pixels, self._ground, frame, now_s))
-        else:
-            surface.fill(picture.GROUND, self.sand_area)
-            self.window.paint(lambda pixels: self.painter.draw(self.session.world, pixels))
+    def _overlay(self):
+        """Return what draws over the sand now, or None."""
+        return self._lay_over if self.help_open or any(each.shown for each in self.overlays) else None
+
+    def _draw_over(self, surface):
         if self.help_open:
             overlay.draw_help(surface, self.theme, self.sand_area)
-        elif self._pointer and not self._turn:
-            self._draw_outline(surface)
         for each in self.overlays:
             if each.shown:
                 each.draw(surface, self.theme, self.sand_area)
 
-    def _draw_outline(self, surface):
-        view = self.painter.view
-        x, y, radius = self.brush.outline(view.place(*self._pointer), view)
-        surface.set_clip(self.sand_area)
-        pygame.draw.circle(surface, look.SUNKEN, (x, y), max(radius, 2) + 1, 1)
-        pygame.draw.circle(surface, look.TEXT, (x, y), max(radius, 2), 1)
-        surface.set_clip(None)
+    def _outline(self):
+        """Return the brush's outline (x, y, radius) in pixels where the pointer is over the sand, or None."""
+        if self._pointer is None or self.stage.turn:
+            return None
+        return self.brush.outline(self.stage.view.place(*self._pointer), self.stage.view)
 
     @cache  # noqa: B019 - there is one toy, and scene files do not change under it
     def title_of(self, name):
         """Return the title of a shipped scene, or of the one that is open."""
         scene = self.session.scene
         return scene.title if name == scene.name else scene_title(name)
-
-
-def _cut(pixels, view):
-    return pixels[view.top : view.top + view.height, view.left : view.left + view.width]

@@ -67,9 +67,12 @@ class Window:
         surface = self.surface
         return np.frombuffer(surface.get_buffer(), np.uint32).reshape(surface.get_height(), surface.get_pitch() // 4)
 
-    def show(self):
-        """Bring what was drawn to the screen."""
-        pygame.display.flip()
+    def show(self, rects=None):
+        """Bring what was drawn in `rects`, or anywhere, to the screen."""
+        if rects is None:
+            pygame.display.flip()
+        elif rects:
+            pygame.display.update(rects)
 
     def _open(self):
         flags = pygame.FULLSCREEN if self.fullscreen else pygame.RESIZABLE

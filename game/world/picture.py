@@ -4,7 +4,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from game.core.pixels import EMPTY, GRAIN, SHADES, SURFACE, TEXTURE, WALL, draw_cells
+from game.core.pixels import EMPTY, GRAIN, SHADES, SURFACE, TEXTURE, WALL, draw_cells, pairs_of, shades_of
+from game.core.planes import layout
 
 GROUND = (24, 21, 18)  # around the lattice
 WHOLE_ENOUGH = 0.8  # of the width that would fit: the least a view may shrink to for the sake of whole pixels
@@ -90,26 +91,58 @@ class View:
 
 
 class Painter:
-    """Draws worlds into pixel arrays through one view, its maps and colours worked out once."""
+    """Draws worlds into pixel arrays through one view, and of a world drawn before only the bands that changed."""
 
     def __init__(self, view, colours=None):
         self.view = view
         self._columns, self._rows = view.columns, view.rows
-        self._palette = palette() if colours is None else colours
-        self._texture = texture()
+        self._pairs = pairs_of(palette() if colours is None else colours)
+        self._shades = shades_of(texture(), layout(*view.shape).words)
+        self._world, self._seen = None, 0  # what was drawn last, and its stamp then
 
-    def draw(self, world, pixels):
-        """Draw `world` into `pixels`, an (h, w) uint32 array that holds the view, in place."""
-        where = world.layout
-        draw_cells(
-            world.planes,
-            where.stride,
-            where.words,
-            self._columns,
-            self._rows,
-            self._texture,
-            self._palette,
-            pixels,
-            self.view.top,
-            self.view.left,
-        )
+    def draw(self, world, pixels, damage=()):
+        """Draw what differs from the last drawing into `pixels`, an (h, w) uint32 array that holds the view, in place.
+
+        damage: spans (top, bottom) of pixel rows that were overwritten since. Return the spans drawn, from the top.
+        """
+        spans = [*self._changed(world), *(self._clipped(*span) for span in damage)]
+        self._world, self._seen = world, world.activity.stamp
+        drawn = _merged(spans)
+        for top, bottom in drawn:
+            self._draw_rows(world, pixels, top, bottom)
+        return drawn
+
+    def forget(self):
+        """Draw everything next time."""
+        self._world = None
+
+    def _changed(self, world):
+        """Yield the spans of pixel rows that show bands changed since the last drawing."""
+        if world is not self._world:
+            yield self.view.top, self.view.top + self.view.height
+            return
+        band_height = 2 * world.activity.band_rows
+        for band in np.nonzero(world.activity.changed > self._seen)[0]:
+            # a band's blocks reach a row further down, and what lies below that is lit from above
+            rows = band * band_height, (band + 1) * band_height + 2
+            top, bottom = np.searchsorted(self._rows, rows)
+            yield self.view.top + int(top), self.view.top + int(bottom)
+
+    def _clipped(self, top, bottom):
+        return max(top, self.view.top), min(bottom, self.view.top + self.view.height)
+
+    def _draw_rows(self, world, pixels, top, bottom):
+        where, rows = world.layout, self._rows[top - self.view.top : bottom - self.view.top]
+        columns, shades, pairs = self._columns, self._shades, self._pairs
+        draw_cells(world.planes, where.stride, where.words, columns, rows, shades, pairs, pixels, top, self.view.left)
+
+
+def _merged(spans):
+    """Return the spans (top, bottom) in order, those that touch as one, empty ones left out."""
+    merged = []
+    for top, bottom in sorted(span for span in spans if span[0] < span[1]):
+        if merged and top <= merged[-1][1]:
+            merged[-1] = merged[-1][0], max(bottom, merged[-1][1])
+        else:
+            merged.append((top, bottom))
+    return merged

@@ -64,7 +64,7 @@ class Player:
 
     def pixel(self, column, row):
         """Return the pixel in the middle of a cell."""
-        x, y = self.toy.painter.view.pixel(column + 0.5, row + 0.5)
+        x, y = self.toy.stage.view.pixel(column + 0.5, row + 0.5)
         return int(x), int(y)
 
     def control(self, name, share=0.5):
@@ -274,7 +274,7 @@ def test_resizing_the_window_does_not_touch_the_sand(glass):
     for size in ((640, 480), (1600, 900), (701, 533)):
         pygame.display.set_mode(size, pygame.RESIZABLE, 32)
         glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-        view = glass.toy.painter.view
+        view = glass.toy.stage.view
         assert view.left >= 0 and view.top >= 0
         assert (
             view.left + view.width <= glass.toy.sand_area.right and view.top + view.height <= glass.toy.sand_area.bottom
@@ -291,7 +291,7 @@ def test_an_idle_frame_draws_nothing(glass):
 def test_what_is_drawn_is_the_world(glass):
     glass.session.paused = True
     glass.wait(2)
-    surface, view, world = glass.toy.window.surface, glass.toy.painter.view, glass.world
+    surface, view, world = glass.toy.window.surface, glass.toy.stage.view, glass.world
     sand, walls = world.sand, world.walls
     for row, column in np.random.default_rng(0).integers((0, 0), world.shape, (300, 2)):
         red, _green, blue, _ = surface.get_at(glass.pixel(column, row))
@@ -321,3 +321,32 @@ def test_the_panel_can_be_hidden(glass):
 def test_closing_the_window_ends_the_loop(glass):
     glass.frame(pygame.event.Event(pygame.QUIT))
     assert not glass.toy.running
+
+
+def test_nothing_of_the_outline_stays_behind(glass):
+    rng = np.random.default_rng(5)
+    for number in range(60):
+        glass.session.paused = number % 3 == 0
+        glass.toy.brush.diameter = int(rng.integers(1, 60))
+        glass.pointer = tuple(int(part) for part in rng.integers((-20, -20), (700, 720)))
+        glass.frame()
+    glass.session.paused, glass.pointer = True, None
+    glass.frame()
+    shown = pygame.surfarray.array2d(glass.toy.window.surface)
+    glass.toy.stage.refresh()
+    glass.frame()
+    fresh = pygame.surfarray.array2d(glass.toy.window.surface)
+    area = glass.toy.sand_area
+    assert (shown[: area.width, : area.height] == fresh[: area.width, : area.height]).all()
+
+
+def test_the_help_page_leaves_no_trace(glass):
+    glass.session.paused = True
+    glass.wait(2)
+    before = pygame.surfarray.array2d(glass.toy.window.surface)
+    glass.key(pygame.K_F1)
+    assert (pygame.surfarray.array2d(glass.toy.window.surface) != before).any()
+    glass.key(pygame.K_F1)
+    area = glass.toy.sand_area
+    after = pygame.surfarray.array2d(glass.toy.window.surface)
+    assert (after[: area.width, : area.height] == before[: area.width, : area.height]).all()

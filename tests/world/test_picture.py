@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from game import Rule, advance
 from game.core.pixels import SHADES, TEXTURE
 from game.world.picture import GROUND, Painter, View, palette, rgb, texture
 from tests.cells import random_world
@@ -68,3 +69,34 @@ def test_sand_is_the_brightest_thing_and_every_look_is_its_own():
 def test_all_shades_are_used_about_equally():
     counts = np.bincount(texture().ravel(), minlength=SHADES)
     assert len(counts) == SHADES and counts.min() > 0.7 * TEXTURE**2 / SHADES
+
+
+@pytest.mark.parametrize("size", [(400, 1500), (311, 401)])
+def test_what_is_drawn_piece_by_piece_is_the_whole_picture(size):
+    generator = np.random.default_rng(2)
+    world = random_world(generator, 1400, 300, sand=0.02, walls=0.02)
+    rule = Rule.with_p(0.7, "balanced")
+    painter, view = Painter(View.fit(world.shape, 5, 6, *size)), View.fit(world.shape, 5, 6, *size)
+    pixels = np.zeros((size[1] + 20, size[0] + 20), np.uint32)
+    drawn = 0
+    for number in range(120):
+        advance(world, rule, int(generator.integers(0, 60)))
+        if number % 7 == 0:
+            row = float(generator.integers(1400))
+            world.stroke((150.5, row + 0.5), (160.5, row + 0.5), 3, material=int(generator.integers(3)))
+        drawn += sum(bottom - top for top, bottom in painter.draw(world, pixels))
+        whole = np.zeros_like(pixels)
+        Painter(view).draw(world, whole)
+        assert (pixels == whole).all(), number
+    assert drawn < 110 * view.height
+
+
+def test_a_world_that_rests_is_not_drawn_again():
+    world = random_world(np.random.default_rng(3), 40, 60, sand=0.3, walls=0)
+    painter, pixels = Painter(View.fit(world.shape, 0, 0, 60, 40)), np.zeros((40, 60), np.uint32)
+    advance(world, Rule(), 1000)
+    assert painter.draw(world, pixels) == [(0, 40)]
+    advance(world, Rule(), 1000)
+    assert painter.draw(world, pixels) == []
+    assert painter.draw(world, pixels, damage=[(3, 9), (8, 12), (30, 99)]) == [(3, 12), (30, 40)]
+    assert painter.draw(world.copy(), pixels) == [(0, 40)], "another world"

@@ -1,0 +1,164 @@
+"""Times the toy in its own window: where a frame's time goes, and how soon the first one is there.
+
+`python -m game.play.timing --help` says how; the bench runs it in a process of its own.
+"""
+
+import argparse
+import json
+import statistics
+import time
+from collections import Counter
+
+import numpy as np
+import pygame
+
+from game.play import loop
+from game.play.toy import Toy
+from game.play.ui.theme import Theme
+from game.play.window import Window
+from game.world.advance import advance
+from game.world.prepare import steps
+from game.world.scene import load_scene
+
+FRAME_NS = 10**9 // loop.FRAMES_PER_SECOND
+WARM_UP = 5  # frames before the count: the first ones draw everything and fill caches of rendered text
+STAGES = {  # what each stage is made of; the rest of a frame is "other"
+    "stepping": lambda toy: [(toy.session, "frame")],
+    "drawing": lambda toy: [(toy.window, "paint")],
+    "panel": lambda toy: [(toy.panel, "lay_out"), (toy.panel.ui, "end"), (toy.hud, "drawing"), (toy.hud, "count")],
+    "present": lambda toy: [(toy.window, "show")],
+}
+
+
+def frames(scene, window_size, iterations, count):
+    """Play `count` frames of `scene` at `iterations` a frame, without pauses, and return the report as a dict."""
+    pygame.font.init()
+    window = Window(window_size or loop.window_size(scene, scene.cell, Theme(1.0)))
+    for _, act in steps(scene.rule):
+        act()
+    toy = Toy(window, scene)
+    toy.session.clock.speed = iterations * loop.FRAMES_PER_SECOND
+    spent = Counter()
+    _watch(toy, spent)
+    played = []  # each frame's nanoseconds by stage
+    for number in range(WARM_UP + count):
+        if number == WARM_UP:
+            first = toy.session.world.iteration
+        spent.clear()
+        _play_frame(toy, spent, number * FRAME_NS / 1e9)
+        played.append(dict(spent))
+    return _report(toy, scene, played[WARM_UP:], toy.session.world.iteration - first)
+
+
+def _watch(toy, spent):
+    """Let each stage add its time to `spent`."""
+    for stage, parts in STAGES.items():
+        for holder, name in parts(toy):
+            setattr(holder, name, _timed(getattr(holder, name), stage, spent))
+
+
+def _timed(act, stage, spent):
+    def timed(*arguments, **named):
+        start = time.perf_counter_ns()
+        try:
+            return act(*arguments, **named)
+        finally:
+            spent[stage] += time.perf_counter_ns() - start
+
+    return timed
+
+
+def _play_frame(toy, spent, now_s):
+    """Play one frame of a sixtieth of a second, as the loop does."""
+    start = time.perf_counter_ns()
+    events = pygame.event.get()
+    spent["events"] = time.perf_counter_ns() - start
+    toy.frame(events, FRAME_NS, now_s)
+    spent["frame"] = time.perf_counter_ns() - start
+    spent["other"] = 2 * spent["frame"] - sum(spent.values())
+
+
+def _report(toy, scene, played, iterations):
+    """Return what the frames took, and whether the world shown is the one that a run without a window gives."""
+    world = toy.session.world
+    twin = scene.world(world.seed)
+    advance(twin, scene.rule, world.iteration)
+    columns = {stage: [each.get(stage, 0) / 1e6 for each in played] for stage in (*STAGES, "events", "other", "frame")}
+    whole = columns.pop("frame")
+    return {
+        "scene": scene.name,
+        "cells": scene.shape[::-1],
+        "window": toy.window.size,
+        "driver": pygame.display.get_driver(),
+        "frames": len(played),
+        "iterations": iterations,
+        "stage_ms": {stage: statistics.mean(column) for stage, column in columns.items()},
+        "frame_ms": {
+            "mean": statistics.mean(whole),
+            "median": statistics.median(whole),
+            "p99": float(np.percentile(whole, 99)),
+            "max": max(whole),
+        },
+        "same_as_without_window": world.digest() == twin.digest(),
+    }
+
+
+def start_up(since_ns):
+    """Start the toy, stop it after its first frame, and return when each part was there, in seconds after `since_ns`.
+
+    since_ns: time.time_ns() when the process was started.
+    """
+    marks = {}
+
+    def mark(name):
+        marks.setdefault(name, (time.time_ns() - since_ns) / 1e9)
+
+    mark("imported")
+    _after(Window, "__init__", lambda *_: mark("window"))
+    _after(Window, "show", lambda *_: "window" in marks and mark("splash"))
+    _after(Toy, "frame", lambda toy: (mark("playing"), setattr(toy, "running", False)))
+    driver = []
+    _after(Toy, "frame", lambda *_: driver.append(pygame.display.get_driver()))
+    loop.play(load_scene("hourglass"))
+    return {"marks_s": marks, "driver": driver[0]}
+
+
+def _after(kind, name, act):
+    """Call `act` with the object each time after the method `name` of the class `kind`."""
+    method = getattr(kind, name)
+
+    def followed(self, *arguments, **named):
+        result = method(self, *arguments, **named)
+        act(self)
+        return result
+
+    setattr(kind, name, followed)
+
+
+def _pair(text):
+    width, height = map(int, text.lower().split("x"))
+    return width, height
+
+
+def main():
+    """Print the report that the command line asks for."""
+    parser = argparse.ArgumentParser(prog="python -m game.play.timing", description=__doc__.splitlines()[0])
+    parser.add_argument("--scene", default="hourglass", metavar="NAME|FILE")
+    parser.add_argument("--size", type=_pair, metavar="WxH", help="lattice, in cells (default: the scene's)")
+    parser.add_argument("--window", type=_pair, metavar="WxH", help="window, in pixels (default: the scene's)")
+    parser.add_argument("--iterations-per-frame", type=int, default=16, metavar="N")
+    parser.add_argument("--frames", type=int, default=300, metavar="N")
+    parser.add_argument("--start-up", action="store_true", help="time the start instead of frames")
+    parser.add_argument("--since", type=int, default=time.time_ns(), metavar="NS", help="when the process was started")
+    parser.add_argument("--json", action="store_true", help="print one JSON object on one line")
+    options = parser.parse_args()
+    if options.start_up:
+        report = start_up(options.since)
+    else:
+        scene = load_scene(options.scene, options.size)
+        report = frames(scene, options.window, options.iterations_per_frame, options.frames)
+    print(json.dumps(report, indent=None if options.json else 2))
+
+
+if __name__ == "__main__":
+    main()

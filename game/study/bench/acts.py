@@ -1,0 +1,101 @@
+"""What is done to a world besides moving it, and what one use of each costs."""
+
+import numpy as np
+
+from game.study.bench import table, worlds
+from game.study.bench.candidates import ours
+from game.study.bench.checks import WrongCellsError, same_as_twin
+from game.study.bench.rounds import Candidate, take_turns
+from game.study.bench.table import Column, Table
+from game.world.action import Paint, apply
+from game.world.picture import Painter, View, palette, texture
+
+COLUMNS = (
+    Column("name", "act"),
+    Column("time", "ms", table.MILLISECONDS),
+    Column("iterations", "iterations' worth", table.figure),
+    Column("when", "when"),
+)
+ITERATION = "one iteration"
+BRUSH = 6  # cells: the default brush
+STROKE = 20.0  # cells: a brisk move of the mouse in one frame
+
+
+def act_table(plan):
+    """Return the time of each act on an hourglass in mid-flow."""
+    size = plan.scene_size
+    world = worlds.flowing(size)
+    same_as_twin(world, worlds.GLASS_RULE, plan.checked)
+    acts = _acts(world)
+    _check(world)
+    candidates = [Candidate(name, act, world.copy) for name, (_, act) in acts.items()]
+    found = take_turns(
+        [ours(ITERATION, world, worlds.GLASS_RULE, plan.batch), *candidates], plan.rounds, plan.sample_ns
+    )
+    rows = [
+        {
+            "name": name,
+            "time": found[name],
+            "iterations": found[name].times(found[ITERATION]),
+            "when": acts[name][0] if name in acts else "of the scene's rule, in a batch",
+        }
+        for name in found
+    ]
+    notes = [
+        f"On the hourglass in mid-flow, {table.size(size)} cells. Checked beforehand: pixels, grains, flip and copy "
+        "are those of plain numpy on the cells."
+    ]
+    return Table("acts", "3c · What a scene needs: the cost of each act", COLUMNS, rows, notes)
+
+
+def _acts(world):
+    """Return {name: (when it is done, act on a world)}."""
+    height, width = world.shape
+    painter, pixels = _painter(world), np.zeros((height, width), np.uint32)
+    start = (width / 2, height / 4)
+    stroke = Paint("sand", start, (start[0] + STROKE, start[1]), BRUSH)
+    return {
+        "draw every cell as a pixel": ("each frame in which sand moved", lambda state: painter.draw(state, pixels)),
+        f"stroke of the brush, {BRUSH} cells wide": (
+            "each frame while painting",
+            lambda state: apply(stroke, state, worlds.GLASS_RULE),
+        ),
+        "count the grains": ("four times a second", lambda state: state.grains),
+        "flip": ("when asked for", lambda state: state.flip()),
+        "copy": ("a snapshot", lambda state: state.copy()),
+        "digest": ("to compare worlds", lambda state: state.digest()),
+    }
+
+
+def _painter(world):
+    height, width = world.shape
+    return Painter(View(world.shape, 0, 0, width, height))
+
+
+def _check(world):
+    """Raise WrongCellsError unless the acts agree with plain numpy on the cells."""
+    sand, walls = world.sand, world.walls
+    pixels = np.zeros(world.shape, np.uint32)
+    _painter(world).draw(world, pixels)
+    turned = world.copy()
+    turned.flip()
+    same = {
+        "draw": np.array_equal(pixels, _plain_pixels(sand, walls)),
+        "grains": world.grains == sand.sum(),
+        "flip": np.array_equal(turned.sand, sand[::-1, ::-1]) and np.array_equal(turned.walls, walls[::-1, ::-1]),
+        "copy": world.copy().digest() == world.digest(),
+    }
+    wrong = [name for name, is_same in same.items() if not is_same]
+    if wrong:
+        raise WrongCellsError(f"{', '.join(wrong)} differs from plain numpy: nothing was timed")
+
+
+def _plain_pixels(sand, walls):
+    """Return what a window at one pixel a cell shows: (H, W) uint32."""
+    above = np.zeros_like(sand)
+    above[1:] = (sand | walls)[:-1]
+    looks = np.where(walls, 2, np.where(sand, np.where(above, 1, 3), 0))
+    shades = texture()
+    height, width = sand.shape
+    tiles = [-(-side // len(shades)) for side in (height, width)]
+    return palette()[looks, np.tile(shades, tiles)[:height, :width]]

@@ -1,0 +1,57 @@
+"""Checks: no time is printed for cells that differ from the plain twin's."""
+
+import numpy as np
+
+from game.study.peers import numpy_blocks
+from game.study.peers.lattice import lattice, sand
+from game.world.advance import advance
+from game.world.rule import Rule
+
+WORK = 200_000_000  # cells × iterations of one check: the twin takes about a second for them, and longer for chance
+SHORTEST = 8  # iterations: each schedule has then used all its partitions twice
+
+
+class WrongCellsError(Exception):
+    """An implementation moved sand elsewhere than the twin; says which, where and when."""
+
+
+def iterations_for(cells, most):
+    """Return how many iterations of a lattice of so many cells are compared, at most `most`."""
+    return min(most, max(SHORTEST, WORK // cells))
+
+
+def same_as_twin(world, rule, most):
+    """Return for how many iterations `advance` and the twin agree from `world` on; raise WrongCellsError."""
+    iterations = iterations_for(world.sand.size, most)
+    twin = lattice(world)
+    chance = numpy_blocks.product_chance(world.seed, world.shape[1])
+    numpy_blocks.advance(twin, rule, world.iteration, iterations, chance)
+    ours = world.copy()
+    advance(ours, rule, iterations)
+    _compare("advance", ours.sand, sand(twin), world.shape, iterations)
+    return iterations
+
+
+def peer_same_as_ours(peer, world, rule, most):
+    """Return for how many iterations `peer` agrees with `advance`, where it is checked against the twin beside it.
+
+    The topple probabilities of `rule` are rounded to 0 and to 1 in turns, where both must agree cell by cell.
+    """
+    iterations = iterations_for(world.sand.size, most)
+    for p in (0.0, 1.0):
+        known = Rule.with_p(p, rule.schedule)
+        theirs, ours = lattice(world), world.copy()
+        peer.advance(theirs, known, world.iteration, iterations)
+        advance(ours, known, iterations)
+        _compare(peer.name, sand(theirs), ours.sand, world.shape, iterations)
+    return iterations
+
+
+def _compare(name, found, wanted, shape, iterations):
+    if not np.array_equal(found, wanted):
+        wrong = np.argwhere(found != wanted)
+        row, column = wrong[0]
+        raise WrongCellsError(
+            f"{name} differs from the plain twin in {len(wrong):,} cells of {shape[1]}×{shape[0]} after {iterations} "
+            f"iterations, first in row {row}, column {column}: nothing was timed"
+        )

@@ -1,0 +1,72 @@
+"""Frames: where the milliseconds of a frame go, in the toy's own window."""
+
+from game.study.bench import goals, table
+from game.study.bench.checks import WrongCellsError
+from game.study.bench.screen import screen
+from game.study.bench.table import Column, Table
+from game.study.bench.windows import NoWindowError, timing
+
+STAGES = ("events", "stepping", "drawing", "panel", "present", "other")
+COLUMNS = (
+    Column("scene", "scene"),
+    Column("cells", "cells", table.size),
+    Column("window", "window", table.size),
+    Column("driver", "driver"),
+    Column("iterations", "iterations/frame", table.figure),
+    *(Column(stage, stage, table.figure) for stage in STAGES),
+    Column("median_ms", "median ms", table.figure),
+    Column("p99_ms", "p99 ms", table.figure),
+    Column("goal", "goal", goals.verdict),
+)
+
+
+def frame_table(plan):
+    """Return where the time of the frames of each case goes, in milliseconds: medians, and the 99th percentile."""
+    rows, notes = [], []
+    with screen() as (environment, shown_on):
+        for case in plan.frame_cases:
+            try:
+                rows.append(_row(case, timing(_arguments(case, plan), environment), shown_on))
+            except NoWindowError as error:
+                notes.append(f"{case.scene} left out: {error}")
+    notes += [
+        f"{plan.frames} frames of the toy, panel shown, one after another without a pause. Stages are "
+        "means in ms; panel includes the line under the sand; median and p99 are of whole frames.",
+        "Checked: the world that was shown is the one that as many iterations without a window give.",
+    ]
+    return Table("frames", "5 · Frames", COLUMNS, rows, notes)
+
+
+def _arguments(case, plan):
+    """Return the arguments of game.play.timing for a case."""
+    sizes = {"--size": case.size, "--window": case.window}
+    given = [part for flag, pair in sizes.items() if pair for part in (flag, "x".join(map(str, pair)))]
+    return ["--scene", case.scene, *given, "--iterations-per-frame", case.iterations, "--frames", plan.frames]
+
+
+def _row(case, report, shown_on):
+    if not report["same_as_without_window"]:
+        raise WrongCellsError(f"{case.scene} in a window differs from the same without one: nothing was timed")
+    driver = f"{report['driver']} ({shown_on})" if shown_on else report["driver"]
+    row = {
+        "scene": case.scene,
+        "cells": tuple(report["cells"]),
+        "window": tuple(report["window"]),
+        "driver": driver,
+        "iterations": report["iterations"] / report["frames"],
+        **{stage: report["stage_ms"][stage] for stage in STAGES},
+        "median_ms": report["frame_ms"]["median"],
+        "p99_ms": report["frame_ms"]["p99"],
+    }
+    return row | {"goal": _goal(case, row) if case.goal else None}
+
+
+def _goal(case, row):
+    """Return the goal of a frame's time; sand left unmoved or another window than asked for spoil it."""
+    spoiled = ""
+    if row["iterations"] < case.iterations:
+        spoiled = f"{row['iterations']:.1f} of {case.iterations} iterations"
+    elif row["window"] != case.window:
+        spoiled = f"the window is {table.size(row['window'])}"
+    what = f"{case.scene}, {table.size(case.window)} window, {case.iterations} iterations: p99"
+    return goals.at_most(what, row["p99_ms"], goals.FRAME_MS, " ms", spoiled)

@@ -1,0 +1,57 @@
+"""The picture: time per iteration against cells, on logarithmic axes. Only this part of the bench needs matplotlib."""
+
+from matplotlib.figure import Figure
+
+GROUND, FRAME, TEXT, DIM = "#181512", "#3a342d", "#e8dfd2", "#a89d8e"
+SIZE_INCHES, DOTS_PER_INCH = (9.0, 5.6), 160
+FRAME_BUDGET_MS = 16.0
+LINES = (  # label, colour, marker
+    ("paper", "the paper's table", "#c9bfb0", "s"),
+    ("numpy", "numpy blocks", "#7f9bb0", "o"),
+    ("byte_loop", "numba byte loop", "#6fae9b", "o"),
+    ("cpp", "C++ -O3 byte loop", "#a98bb8", "o"),
+    ("ours", "Sandglass", "#f5b942", "o"),
+    ("xor", "memory: one xor pass", "#e06c4f", None),
+)
+
+
+def curves(rows):
+    """Return {key of LINES: [(cells, milliseconds)]} from the rows of the tables, by key."""
+    found = {key: [] for key, *_ in LINES}
+    found["paper"] = [(row["cells"], row["paper_ms"]) for row in rows["paper"] if row["paper_ms"]]
+    for row in rows["peers"]:
+        if "p = 1" in row["world"] and row["key"] in found and row["key"] != "ours":
+            found[row["key"]].append((row["cells"], row["time"].median / 1e6))
+    for row in rows["scale"]:
+        found["ours"].append((row["cells"], row["time"].median / 1e6))
+        found["xor"].append((row["cells"], row["xor"].median / 1e6))
+    return found
+
+
+def draw(rows, path):
+    """Draw the curves of the tables' rows, by key of the table, into a PNG at `path`."""
+    figure = Figure(figsize=SIZE_INCHES, facecolor=GROUND, layout="constrained")
+    axes = figure.add_subplot(facecolor=GROUND)
+    found = curves(rows)
+    for key, label, colour, marker in LINES:
+        points = sorted(found[key])
+        if points:
+            style = {"linewidth": 2.4 if key == "ours" else 1.4, "linestyle": "--" if key == "xor" else "-"}
+            axes.plot(*zip(*points, strict=True), color=colour, marker=marker, markersize=5, label=label, **style)
+    axes.axhline(FRAME_BUDGET_MS, color=DIM, linewidth=0.8, linestyle=":")
+    axes.annotate("one frame, 16 ms", (0.01, FRAME_BUDGET_MS), xycoords=("axes fraction", "data"), xytext=(0, 4),
+                  textcoords="offset points", color=DIM, fontsize=9)  # fmt: skip
+    _dress(axes)
+    figure.savefig(path, dpi=DOTS_PER_INCH)
+
+
+def _dress(axes):
+    axes.set(xscale="log", yscale="log", xlabel="cells", ylabel="milliseconds per iteration, one thread")
+    axes.set_title("Time of an iteration against cells, all of them in motion", color=TEXT, loc="left", fontsize=12)
+    axes.grid(color=FRAME, linewidth=0.6)
+    axes.tick_params(colors=DIM, which="both")
+    axes.xaxis.label.set_color(DIM)
+    axes.yaxis.label.set_color(DIM)
+    for spine in axes.spines.values():
+        spine.set_color(FRAME)
+    axes.legend(frameon=False, labelcolor=TEXT, fontsize=9, loc="lower right")

@@ -1,0 +1,89 @@
+"""Scale: the time of a cell from the smallest lattice to the largest."""
+
+from game.study.bench import goals, machine, table, worlds
+from game.study.bench.candidates import ours, xor_pass
+from game.study.bench.checks import same_as_twin
+from game.study.bench.rounds import Candidate, take_turns
+from game.study.bench.table import Column, Table
+from game.world.advance import advance
+from game.world.rule import Rule
+
+REFERENCE = (1920, 1080)  # its time per cell is 1
+FLAT = 1.5  # times the reference up to which the time per cell counts as flat
+COLUMNS = (
+    Column("size", "lattice", table.size),
+    Column("cells", "cells", table.whole),
+    Column("planes_mb", "planes MB", table.figure),
+    Column("time", "µs per iteration", table.MICROSECONDS),
+    Column("cell_ps", "ps per cell", table.figure),
+    Column("relative", "of 1080p", table.ratio),
+    Column("gcells", "Gcell/s", table.figure),
+    Column("pace", "xor pace", table.ratio),
+    Column("checked", "checked", table.whole),
+    Column("goal", "goal", goals.verdict),
+)
+
+
+def scale_table(plan):
+    """Return the time per cell of lattices in motion, p = 1, by size."""
+    rows = [_row(size, plan) for size in plan.scale_sizes]
+    reference = next((row for row in rows if row["size"] == REFERENCE), rows[-1])
+    for row in rows:
+        row["relative"] = row["cell_ps"] / reference["cell_ps"]
+        row["why"] = _why(row)
+    notes = [f"p = 1, half of all cells sand at random, {plan.batch} iterations in one call."]
+    notes += [
+        f"Not flat: {table.size(row['size'])}, {table.ratio(row['relative'])}, {row['why']}."
+        for row in rows
+        if row["why"]
+    ]
+    planes = [
+        goals.at_most(f"planes of {table.size(row['size'])}", row["planes_mb"], goals.PLANES_MB, " MB")
+        for row in rows
+        if row["cells"] >= goals.LARGEST
+    ]
+    return Table("scale", "4 · Scale", COLUMNS, rows, notes, planes)
+
+
+def _row(size, plan):
+    world, rule, cells = worlds.moving(size), Rule(), size[0] * size[1]
+    checked = same_as_twin(world, rule, plan.checked)
+    call = Candidate("call", lambda state: advance(state, rule, 0), world.copy, plan.batch)
+    found = take_turns(
+        [ours("time", world, rule, plan.batch), xor_pass(cells, plan.batch), call], plan.rounds, plan.sample_ns // 4
+    )
+    return {
+        "size": size,
+        "cells": cells,
+        "planes_mb": _bytes_of(world) / 1e6,
+        **found,
+        "cell_ps": 1e3 * found["time"].median / cells,
+        "gcells": cells / found["time"].median,
+        "pace": found["xor"].times(found["time"]),
+        "checked": checked,
+        "goal": _goal(size, found["time"], found["xor"]),
+    }
+
+
+def _bytes_of(world):
+    """Return what the planes of `world` take, and whatever other arrays it keeps."""
+    return sum(getattr(getattr(world, name), "nbytes", 0) for name in world.__slots__)
+
+
+def _goal(size, timing, xor):
+    cells = size[0] * size[1]
+    if cells < goals.PACED_FROM:
+        return None
+    wanted = goals.PACE_P1_LARGEST if cells >= goals.LARGEST else goals.PACE_P1
+    return goals.at_least(f"all moving, p = 1, {table.size(size)}: xor pace", xor.times(timing), wanted)
+
+
+def _why(row):
+    """Say why a cell of this lattice takes longer than one of the reference, in a few words, or None if it does not."""
+    if row["relative"] <= FLAT:
+        return None
+    if row["cells"] < REFERENCE[0] * REFERENCE[1]:
+        call = row["call"].median / row["time"].median
+        return f"as a loop has few words, and the call itself is {call:.0%}"
+    cache = next((size for size in machine.cache_bytes() if size > row["planes_mb"] * 1e6), None)
+    return "as the planes outgrow the caches" if cache is None else "as the planes outgrow the first caches"

@@ -1,0 +1,76 @@
+"""What a scene needs: the cost of chance, of motion, and of what is done to a world between iterations."""
+
+import numpy as np
+
+from game.study.bench import goals, table, worlds
+from game.study.bench.candidates import ours
+from game.study.bench.checks import same_as_twin
+from game.study.bench.rounds import take_turns
+from game.study.bench.table import Column, Table
+from game.world.rule import Rule
+
+SCHEDULE = worlds.GLASS_RULE.schedule
+PAPER_P = 0.5
+RULES = {
+    "p = 1": Rule(schedule=SCHEDULE),
+    f"p = {PAPER_P}": Rule.with_p(PAPER_P, SCHEDULE),
+    "seven at random": Rule(*np.random.default_rng(worlds.SEED).random(7).round(3), schedule=SCHEDULE),
+}
+CERTAIN, TWO, SEVEN = RULES
+WORLDS = {"all moving": worlds.moving, "hourglass, mid-flow": worlds.flowing, "settled": worlds.settled}
+MOVING, FLOWING, SETTLED = WORLDS
+COLUMNS = (
+    Column("world", "world"),
+    Column("rule", "rule"),
+    Column("time", "µs per iteration", table.MICROSECONDS),
+    Column("gcells", "Gcell/s", table.figure),
+    Column("of_certain", "of p = 1", table.ratio),
+    Column("of_moving", "of all moving", table.percent),
+    Column("checked", "checked", table.whole),
+    Column("goal", "goal", goals.verdict),
+)
+
+
+def scene_table(plan):
+    """Return the time of an iteration for each kind of world under each kind of rule."""
+    size = plan.scene_size
+    found, checked = {}, {}
+    for name, make in WORLDS.items():
+        world = make(size)
+        for kind, rule in RULES.items():
+            checked[name, kind] = same_as_twin(world, rule, plan.checked)
+        timed = [ours(kind, world, rule, plan.batch) for kind, rule in RULES.items()]
+        for kind, timing in take_turns(timed, plan.rounds, plan.sample_ns).items():
+            found[name, kind] = timing
+    rows = [_row(name, kind, found, checked[name, kind], size) for name, kind in found]
+    notes = [
+        f"{table.size(size)} cells, {plan.batch} iterations in one call, schedule {SCHEDULE}. The hourglass is the "
+        f"shipped scene drawn at that size, about {worlds.PASSED:.0%} of its sand below; settled: all of it there.",
+        "Seven at random: every event left to chance, with probabilities "
+        f"{', '.join(map(str, RULES[SEVEN].probabilities))}.",
+    ]
+    return Table("scene", "3a · What a scene needs: chance and motion", COLUMNS, rows, notes)
+
+
+def _row(name, kind, found, checked, size):
+    timing, certain, moving = found[name, kind], found[name, CERTAIN], found[MOVING, kind]
+    return {
+        "world": name,
+        "rule": kind,
+        "time": timing,
+        "gcells": size[0] * size[1] / timing.median,
+        "of_certain": timing.times(certain),
+        "of_moving": timing.median / moving.median,
+        "checked": checked,
+        "goal": _goal(name, kind, found, size),
+    }
+
+
+def _goal(name, kind, found, size):
+    where = f"{name}, {kind}, {table.size(size)}"
+    if name == SETTLED:
+        part = 100 * found[name, kind].median / found[MOVING, kind].median
+        return goals.at_most(f"{where}: part of all moving", part, 100 * goals.SETTLED, " %")
+    if kind == SEVEN:
+        return goals.at_most(f"{where}: of {TWO}", found[name, kind].times(found[name, TWO]), goals.SEVEN)
+    return None

@@ -1,0 +1,61 @@
+"""The worlds that are measured: everything moves, an hourglass flows, everything rests. Sizes: (width, height)."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from game.world.advance import advance
+from game.world.scene import load_scene
+from game.world.world import World
+
+SEED = 2020
+GLASS_RULE = load_scene("hourglass").rule  # the rule its scene file names
+PASSED = 0.3  # part of the sand that has run through the neck in mid-flow: a pile below, a crater above
+TALLEST = 1080  # cells: taller glasses are enlarged from one up to this tall, as their own flow would take minutes …
+REST = 16  # … and then run height / REST iterations, which wears the enlarged corners of their slopes away
+
+
+@lru_cache(maxsize=2)
+def moving(size):
+    """Return a lattice without walls, half of its cells sand at random: sand moves everywhere for half its height."""
+    width, height = size
+    words = np.random.default_rng(SEED).integers(256, size=(height, -(-width // 8)), dtype=np.uint8)
+    sand = np.unpackbits(words, axis=1, count=width).view(np.bool_)
+    return World.from_cells(sand, np.zeros_like(sand), SEED)
+
+
+@lru_cache(maxsize=4)
+def flowing(size):
+    """Return the hourglass scene drawn at `size`, in mid-flow."""
+    width, height = size
+    if height <= TALLEST:
+        return _run_down(load_scene("hourglass", size).world(SEED))
+    factor = -(-height // TALLEST)
+    shorter = flowing((-(-width // factor), -(-height // factor))).sand
+    walls = load_scene("hourglass", size).walls
+    sand = shorter.repeat(factor, axis=0).repeat(factor, axis=1)[:height, :width] & ~walls
+    world = World.from_cells(sand, walls, SEED)
+    advance(world, GLASS_RULE, height // REST)
+    return world
+
+
+@lru_cache(maxsize=2)
+def settled(size):
+    """Return the hourglass scene at `size` with all its sand at rest in the lower bulb."""
+    world = load_scene("hourglass", size).world(SEED)
+    world.flip()
+    iterations, before = 64, None
+    while before is None or not np.array_equal(before, world.sand):
+        before = world.sand
+        advance(world, GLASS_RULE, iterations)
+        iterations *= 2
+    return world
+
+
+def _run_down(world):
+    """Run the hourglass until the part PASSED of its sand is below the middle, and return it."""
+    height = world.shape[0]
+    enough = PASSED * world.grains
+    while world.sand[height // 2 :].sum() < enough:
+        advance(world, GLASS_RULE, height)
+    return world
