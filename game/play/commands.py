@@ -22,7 +22,6 @@ class Commands:
         """Run one iteration and hold time."""
         self.toy.session.paused = True
         self.toy.session.step()
-        self.toy.refresh()
 
     def faster(self):
         """Speed time up by half."""
@@ -35,17 +34,13 @@ class Commands:
     def undo(self):
         """Take back the last act; where a session has none left, go back to the one it was opened over."""
         toy = self.toy
-        if toy.session.undo(toy.undo_goes_back, toy.SEEK_NS):
-            toy.refresh()
-        elif not toy.leave_session():
+        if not toy.session.undo(toy.undo_goes_back, toy.SEEK_NS) and not toy.leave_session():
             toy.notices.say("There is nothing to take back.")
 
     def redo(self):
         """Bring back what was undone last, or the future that was left."""
         toy = self.toy
-        if toy.session.redo(toy.undo_goes_back, toy.SEEK_NS):
-            toy.refresh()
-        else:
+        if not toy.session.redo(toy.undo_goes_back, toy.SEEK_NS):
             toy.notices.say("There is nothing to bring back.")
 
     # --- sand ---
@@ -79,12 +74,10 @@ class Commands:
     def smaller_brush(self):
         """Shrink the brush."""
         self.toy.brush.resize(-1)
-        self.toy.refresh()
 
     def larger_brush(self):
         """Grow the brush."""
         self.toy.brush.resize(1)
-        self.toy.refresh()
 
     # --- files ---
 

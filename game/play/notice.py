@@ -14,7 +14,7 @@ MOST_WAITING = 3
 
 
 class Notices:
-    """Lines waiting to be shown, one at a time; what is said again while it is shown stays as long as if it were new."""
+    """Lines waiting to be shown, one at a time; what is said twice stays longer."""
 
     def __init__(self):
         self._lines = []  # (text, whether it tells of trouble), the one shown first
@@ -52,9 +52,9 @@ class Notices:
             return True
         return self._age() > self._stay()
 
-    def hear(self, event):
-        """A notice hears nothing: it never stands in the way."""
-        return False
+    def listen(self, events, now_s, mouse_pos):
+        """Leave all events to others: a notice never stands in the way."""
+        return events
 
     def draw(self, surface, theme, area):
         """Draw the line above the lower edge of `area`."""

@@ -1,4 +1,4 @@
-"""The time bar: a thin line under the sand, from the session's start to the latest moment known, that can be dragged."""
+"""The time bar: a thin line under the sand, from a session's start to the latest moment known; drag it."""
 
 import numpy as np
 import pygame

@@ -28,6 +28,7 @@ from game.world.scene import load_scene, scene_title
 from game.world.session import BUDGET_NS, Session
 
 LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
+LONG_WAY_S = 0.3  # a way to another moment that takes longer is shown
 MARGIN = 8  # pixels at scale 1 around the sand
 
 
@@ -53,7 +54,7 @@ class Toy:
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
         self._size = self._cell_size = None
         self._stale = False  # the stage has to be drawn anew
-        self._lost = False  # the moment that is computed is not the one to show
+        self._way_since_s = None  # since when another moment is being computed
         self._hud_drawn = self._bar_drawn = None
         self._pointer = None
         self._other_ns = 0  # what the last frame spent on anything but stepping
@@ -67,7 +68,7 @@ class Toy:
         self.rewind = Rewind()
         self.time_bar = timebar.TimeBar(self.theme)
         self.files, self.gallery = Files(self), Gallery(self)
-        self.photo, self.question = PhotoCard(self), Question(self.refresh)
+        self.photo, self.question = PhotoCard(self), Question(self)
         self.recorder, self.recovery = Recorder(self), Recovery(self)
         self._lay_over = self._draw_over  # one object, which the stage knows again
         self.overlays = [self.notices, self.question, self.gallery, self.photo]  # the last one lies on top
@@ -144,7 +145,7 @@ class Toy:
         start = time.perf_counter_ns()
         self._fit()
         self.background.hear()
-        for event in self._lay_out_panel(self._heard_on_top(events), now_s, mouse_pos):
+        for event in self._lay_out_panel(self._left_by_overlays(events, now_s, mouse_pos), now_s, mouse_pos):
             self._hear(event)
         for stroke in self.brush.pour():
             self.do(stroke, join=True)
@@ -160,9 +161,12 @@ class Toy:
         self.hud.count(work_ns, self.session, now_s)
         return bool(changed)
 
-    def _heard_on_top(self, events):
+    def _left_by_overlays(self, events, now_s, mouse_pos):
         """Return the events that nothing which lies over the sand has taken."""
-        return [event for event in events if not any(each.shown and each.hear(event) for each in self.overlays[::-1])]
+        for each in self.overlays[::-1]:
+            if each.shown:
+                events = each.listen(events, now_s, mouse_pos)
+        return events
 
     def _lay_out_panel(self, events, now_s, mouse_pos):
         if not self.panel_shown:
@@ -210,11 +214,10 @@ class Toy:
     def _step(self, elapsed_ns, now_s):
         """Run what is due and return how long that took; while the glass turns, time stands still."""
         start = time.perf_counter_ns()
-        self._lost = False
         if self.time_bar.held or self.rewind.held:
             if self.stage.turn:
                 self.stage.end_turn()
-            self._lost = not self._go_to_another_moment(elapsed_ns)
+            self._go_to_another_moment(elapsed_ns)
             return time.perf_counter_ns() - start
         if self.stage.turn:
             if not self.stage.turn.over(now_s):
@@ -224,7 +227,7 @@ class Toy:
         return time.perf_counter_ns() - start
 
     def _go_to_another_moment(self, elapsed_ns):
-        """Follow the time bar's handle or the rewind; return whether the moment wanted is there to be shown."""
+        """Follow the time bar's handle or the rewind."""
         session, timeline = self.session, self.session.timeline
         session.due = session.done = 0
         if self.time_bar.held:
@@ -232,8 +235,18 @@ class Toy:
         else:  # where the last frame did not get, this one goes first
             goal = self.rewind.goal(session, elapsed_ns) if timeline.goal is None else timeline.goal
         if goal == timeline.goal:
-            return timeline.catch_up(self.SEEK_NS)
-        return goal == session.now or session.seek(goal, self.SEEK_NS)
+            timeline.catch_up(self.SEEK_NS)
+        elif goal != session.now:
+            session.seek(goal, self.SEEK_NS)
+
+    def _half_way(self, now_s):
+        """Return whether the moment that is computed is one on the way, passed too quickly to be worth a look."""
+        if self.session.timeline.goal is None:
+            self._way_since_s = None
+            return False
+        if self._way_since_s is None:
+            self._way_since_s = now_s
+        return now_s - self._way_since_s < LONG_WAY_S
 
     def _tell(self, now_s):
         """Show what there is to say: trouble with the journal, and lines that come and go."""
@@ -275,7 +288,7 @@ class Toy:
         if self._stale:
             self.stage.refresh()
         rects = []
-        if self._stale or not self._lost:
+        if self._stale or not self._half_way(now_s):
             rects = self.stage.draw(self.session.world, self._outline(), self._overlay(), now_s)
         self._stale = False
         bar = self.time_bar.drawing(self.session)
@@ -283,7 +296,7 @@ class Toy:
             paint.draw(surface, self.theme, bar)
             self._bar_drawn = bar
             rects.append(self.time_bar.area)
-        drawing = self.hud.drawing(self._hud_area, self.session, self.recorder.said)
+        drawing = self.hud.drawing(self._hud_area, self.session, self._said())
         if drawing != self._hud_drawn:
             paint.draw(surface, self.theme, drawing)
             self._hud_drawn = drawing
@@ -291,6 +304,13 @@ class Toy:
         if self.panel_shown and self.panel.ui.end(surface):
             rects.append(self._panel_area)
         return rects
+
+    def _said(self):
+        """Return what the HUD is to say first, or ""."""
+        timeline = self.session.timeline
+        if self._way_since_s is not None and timeline.goal:
+            return f"Computing the sand: {100 * timeline.moment.now // timeline.goal} %"
+        return self.recorder.said
 
     def _overlay(self):
         """Return what draws over the sand now, or None."""
@@ -305,7 +325,7 @@ class Toy:
 
     def _outline(self):
         """Return the brush's outline (x, y, radius) in pixels where the pointer is over the sand, or None."""
-        if self._pointer is None or self.stage.turn:
+        if self._pointer is None or self.stage.turn or self.help_open or self.gallery.shown or self.photo.shown:
             return None
         return self.brush.outline(self.stage.view.place(*self._pointer), self.stage.view)
 
