@@ -138,17 +138,24 @@ class Gallery:
 
     # --- where things lie ---
 
-    def _card(self):
+    def _room(self):
+        """Return the rect that the card may take at most."""
         px = self._toy.theme.px
         return self._toy.sand_area.inflate(-2 * px(MARGIN), -2 * px(MARGIN))
 
+    def _card(self):
+        px, card = self._toy.theme.px, self._room()
+        rows = min(self._rows(), max(1, -(-len(self.paths) // self._columns())))
+        card.height = px(HEAD) + rows * (px(TILE[1]) + px(GAP))
+        return card
+
     def _columns(self):
         px = self._toy.theme.px
-        return max(1, (self._card().width - px(GAP)) // (px(TILE[0]) + px(GAP)))
+        return max(1, (self._room().width - px(GAP)) // (px(TILE[0]) + px(GAP)))
 
     def _rows(self):
         px = self._toy.theme.px
-        return max(1, (self._card().height - px(HEAD)) // (px(TILE[1]) + px(GAP)))
+        return max(1, (self._room().height - px(HEAD)) // (px(TILE[1]) + px(GAP)))
 
     def _tiles(self):
         """Yield (number, rect) of the scenes that show."""

@@ -46,7 +46,7 @@ KEYS = (
     Key("Esc", (pygame.K_ESCAPE,), "escape", "close, leave, quit"),
 )
 OTHER_WAYS = (  # what is no command of a key
-    ("Backspace", "hold: time runs back (Shift: faster)"),
+    ("Backspace", "time runs back (Shift: fast)"),
     ("Left button", "paint with the tool"),
     ("Right button", "erase"),
     ("Wheel", "size of the brush"),

@@ -25,7 +25,7 @@ class TimeBar:
         self.held = False
         self._hover = False
         self._x = 0  # of the pointer that holds the bar
-        self._marks = Marks()
+        self.marks = Marks()
 
     def hear(self, event):
         """Take in an event and return whether it was the bar's."""
@@ -46,13 +46,13 @@ class TimeBar:
 
     def goal(self, session):
         """Return the iteration under the pointer."""
-        track = self._track()
+        track = self.track
         share = (self._x - track.x) / max(1, track.width - 1)
         return round(min(max(share, 0.0), 1.0) * session.reached)
 
     def drawing(self, session):
         """Return the strokes of the bar: a value that changes only when the bar looks different."""
-        px, track = self.theme.px, self._track()
+        px, track = self.theme.px, self.track
         reached = max(session.reached, 1)
         here = track.x + round(min(session.now / reached, 1.0) * (track.width - 1))
         lively = self.held or self._hover
@@ -60,8 +60,8 @@ class TimeBar:
         strokes = [(paint.fill, tuple(self.area), look.SUNKEN), (paint.box, tuple(track), groove, track.height)]
         past = (track.x, track.y, here - track.x, track.height)
         strokes.append((paint.box, past, look.ACCENT if lively else look.STONE, track.height))
-        self._marks.follow(session.timeline.history)
-        for ats, high, colour in ((self._marks.acts, ACT, look.FAINT), (self._marks.strong, STRONG, look.ACCENT)):
+        self.marks.follow(session.timeline.history)
+        for ats, high, colour in ((self.marks.acts, ACT, look.FAINT), (self.marks.strong, STRONG, look.ACCENT)):
             for x in np.unique(np.minimum(ats, reached) * (track.width - 1) // reached).tolist():
                 mark = (track.x + x, track.y - px(2) - px(high), px(1), px(high))
                 strokes.append((paint.fill, mark, colour))
@@ -70,7 +70,9 @@ class TimeBar:
         strokes.append((paint.disc, handle, look.BRIGHT_HANDLE if lively else look.HANDLE))
         return strokes
 
-    def _track(self):
+    @property
+    def track(self):
+        """The rect of the line."""
         px = self.theme.px
         wide = max(1, self.area.width - 2 * px(INSET))
         return pygame.Rect(self.area.x + px(INSET), self.area.bottom - px(8), wide, px(TRACK))

@@ -71,7 +71,7 @@ class Toy:
         self.photo, self.question = PhotoCard(self), Question(self)
         self.recorder, self.recovery = Recorder(self), Recovery(self)
         self._lay_over = self._draw_over  # one object, which the stage knows again
-        self.overlays = [self.notices, self.question, self.gallery, self.photo]  # the last one lies on top
+        self.overlays = [self.question, self.gallery, self.photo, self.notices]  # the last one lies on top
 
     # --- what the parts ask of it ---
 
@@ -310,7 +310,7 @@ class Toy:
         timeline = self.session.timeline
         if self._way_since_s is not None and timeline.goal:
             return f"Computing the sand: {100 * timeline.moment.now // timeline.goal} %"
-        return self.recorder.said
+        return self.recorder.said or ("Time runs back" if self.rewind.held else "")
 
     def _overlay(self):
         """Return what draws over the sand now, or None."""
