@@ -55,7 +55,10 @@ def _acts(world):
     start = (width / 2, height / 4)
     stroke = Paint("sand", start, (start[0] + STROKE, start[1]), BRUSH)
     return {
-        "draw every cell as a pixel": ("each frame in which sand moved", lambda state: painter.draw(state, pixels)),
+        "draw every cell as a pixel": (
+            "a frame after sand moved everywhere",
+            lambda state: painter.draw(state, pixels),
+        ),
         f"stroke of the brush, {BRUSH} cells wide": (
             "each frame while painting",
             lambda state: apply(stroke, state, worlds.GLASS_RULE),

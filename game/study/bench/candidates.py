@@ -6,10 +6,8 @@ from game.study.bench.rounds import Candidate
 from game.study.peers.lattice import lattice
 from game.world.advance import advance
 
-
-LEAD_IN = (
-    8  # iterations before the clock starts: a copy does not know yet where its sand is still, a world in play does
-)
+# Iterations before the clock starts: a world in play has learned where its sand is still, a copy has to learn it anew.
+LEAD_IN = 8
 
 
 def ours(key, world, rule, batch):

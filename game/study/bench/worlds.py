@@ -17,11 +17,16 @@ REST = 16  # … and then run height / REST iterations, which wears the enlarged
 
 @lru_cache(maxsize=2)
 def moving(size):
-    """Return a lattice without walls, half of its cells sand at random: sand moves everywhere for half its height."""
+    """Return a lattice without walls, half of its cells sand at random: none of them at rest for a while."""
     width, height = size
     words = np.random.default_rng(SEED).integers(256, size=(height, -(-width // 8)), dtype=np.uint8)
     sand = np.unpackbits(words, axis=1, count=width).view(np.bool_)
     return World.from_cells(sand, np.zeros_like(sand), SEED)
+
+
+def moving_iterations(size, most):
+    """Return for how many iterations, at most `most`, a lattice of `moving` sand has no part at rest to speak of."""
+    return max(4, min(most, size[1] // 2 // 4 * 4))
 
 
 @lru_cache(maxsize=4)
