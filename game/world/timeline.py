@@ -11,8 +11,10 @@ from game.world.snapshot import MEGABYTE, Shelf, nearest
 # Work between two snapshots: a seek computes no more than that. Half as much doubles the memory for ten minutes of a
 # full screen (280 KB each); three times as much makes a rewind stutter.
 SPACING_NS = 20_000_000
+CLOSE_NS = 4_000_000  # the same while time runs backwards: each frame then computes no more than this
 SHARE = 20  # a snapshot costs at most one part in so many of the work: on a huge lattice it takes long to copy
 SLICE_NS = 1_000_000  # work between two looks at the time; more overruns a frame's budget, less costs calls
+LONGEST_SLICE = 2048  # iterations: sand at rest costs nothing, and may start to move at any time
 REPEATABLE = Clear, Paint, SetRule  # done twice at one iteration, they do what they do once
 
 
@@ -28,9 +30,11 @@ class Timeline:
         self.start = scene, seed  # what the session began with
         self._here = self.history.root  # the last act that the moment has seen
         self._ahead = []  # acts of the line yet to come, the nearest last
-        self._spacing_ns = SPACING_NS
+        self.closely = False  # keep more snapshots: time runs backwards, and every frame is another moment
+        self._keeping_ns = 0  # what it took to keep the last snapshot
         self._kept_work_ns = 0  # the moment's work when the last snapshot was kept
         self._iteration_ns = float(SLICE_NS)  # what one took lately; until it is known, they go one by one
+        self._slice = 1  # iterations that went together last
 
     @property
     def now(self):
@@ -161,24 +165,27 @@ class Timeline:
         return self.moment.now >= end
 
     def _run_slice(self, end):
-        some = min(end - self.moment.now, max(1, int(SLICE_NS / self._iteration_ns)))
+        wanted = min(LONGEST_SLICE, 2 * self._slice, int(SLICE_NS / self._iteration_ns))
+        self._slice = some = min(end - self.moment.now, max(1, wanted))
         self._iteration_ns = max(1.0, self.moment.run(some) / some)
         self._keep_now_and_then()
 
     def _meet(self, act):
         self.moment.take(act.action)
         self._here = act
+        self._iteration_ns, self._slice = float(SLICE_NS), 1  # what rested may move now
         self._keep_now_and_then()
 
     def _keep_now_and_then(self):
         """Keep a snapshot where the last one is far, unless the line has one near."""
-        if self.moment.work_ns - self._kept_work_ns < self._spacing_ns:
+        spacing_ns = max(CLOSE_NS if self.closely else SPACING_NS, SHARE * self._keeping_ns)
+        if self.moment.work_ns - self._kept_work_ns < spacing_ns:
             return
         before = nearest(self._here, self.moment.now)
-        if before and self.moment.work_ns - before.work_ns < self._spacing_ns:
+        if before and self.moment.work_ns - before.work_ns < spacing_ns:
             self._kept_work_ns = before.work_ns
             return
         start = time.perf_counter_ns()
         self.shelf.keep(self.moment, self._here, self.history.line)
-        self._spacing_ns = max(SPACING_NS, SHARE * (time.perf_counter_ns() - start))
+        self._keeping_ns = time.perf_counter_ns() - start
         self._kept_work_ns = self.moment.work_ns
