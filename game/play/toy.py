@@ -214,7 +214,7 @@ class Toy:
     def _step(self, elapsed_ns, now_s):
         """Run what is due and return how long that took; while the glass turns, time stands still."""
         start = time.perf_counter_ns()
-        self.session.timeline.closely = self.rewind.held
+        self.session.timeline.rewinding = self.rewind.held
         if self.time_bar.held or self.rewind.held:
             if self.stage.turn:
                 self.stage.end_turn()

@@ -1,17 +1,19 @@
 """The timeline: any moment of a session, reached by computing forward from the nearest snapshot."""
 
 import time
+from collections import deque
 
 from game.world import knob
 from game.world.action import Clear, Paint, SetRule
 from game.world.history import Entry, History
 from game.world.moment import Moment
-from game.world.snapshot import MEGABYTE, Shelf, nearest
+from game.world.snapshot import MEGABYTE, Shelf, Snapshot, nearest
 
 # Work between two snapshots: a seek computes no more than that. Half as much doubles the memory for ten minutes of a
 # full screen (280 KB each); three times as much makes a rewind stutter.
 SPACING_NS = 20_000_000
-CLOSE_NS = 4_000_000  # the same while time runs backwards: each frame then computes no more than this
+CLOSE_NS = 4_000_000  # work between two snapshots of the trail: each frame of a rewind computes no more than that
+LONGEST_TRAIL = 16  # snapshots; a rewind needs those between here and the nearest one of the shelf
 SHARE = 20  # a snapshot costs at most one part in so many of the work: on a huge lattice it takes long to copy
 SLICE_NS = 1_000_000  # work between two looks at the time; more overruns a frame's budget, less costs calls
 LONGEST_SLICE = 2048  # iterations: sand at rest costs nothing, and may start to move at any time
@@ -30,7 +32,8 @@ class Timeline:
         self.start = scene, seed  # what the session began with
         self._here = self.history.root  # the last act that the moment has seen
         self._ahead = []  # acts of the line yet to come, the nearest last
-        self.closely = False  # keep more snapshots: time runs backwards, and every frame is another moment
+        self.rewinding = False  # time runs backwards, every frame is an earlier moment: leave a trail on the way there
+        self._trail = deque(maxlen=LONGEST_TRAIL)  # snapshots beside those of the shelf, the earliest first
         self._keeping_ns = 0  # what it took to keep the last snapshot
         self._kept_work_ns = 0  # the moment's work when the last snapshot was kept
         self._iteration_ns = float(SLICE_NS)  # what one took lately; until it is known, they go one by one
@@ -135,7 +138,7 @@ class Timeline:
     def _start_towards(self, now):
         """Make the present moment the one to compute `now` from: this one, or the nearest snapshot."""
         target = self.history.latest(now)
-        snapshot = nearest(target, now)
+        snapshot = self._on_trail(now) or nearest(target, now)
         if not self._leads_to(target, now) or (snapshot and snapshot.now > self.moment.now):
             self.moment = snapshot.moment() if snapshot else Moment.start(*self.start)
             self._here = snapshot.act if snapshot else self.history.root
@@ -178,7 +181,8 @@ class Timeline:
 
     def _keep_now_and_then(self):
         """Keep a snapshot where the last one is far, unless the line has one near."""
-        spacing_ns = max(CLOSE_NS if self.closely else SPACING_NS, SHARE * self._keeping_ns)
+        self._leave_trail()
+        spacing_ns = max(SPACING_NS, SHARE * self._keeping_ns)
         if self.moment.work_ns - self._kept_work_ns < spacing_ns:
             return
         before = nearest(self._here, self.moment.now)
@@ -189,3 +193,23 @@ class Timeline:
         self.shelf.keep(self.moment, self._here, self.history.line)
         self._keeping_ns = time.perf_counter_ns() - start
         self._kept_work_ns = self.moment.work_ns
+
+    def _on_trail(self, now):
+        """Return the latest snapshot of the trail that leads to iteration `now`, or None; those after it are let go."""
+        while self._trail:
+            last = self._trail[-1]
+            act = self.history.latest(last.now)
+            while act is not last.act and act.at >= last.now and act.before:
+                act = act.before
+            if last.now <= now and act is last.act:
+                return last
+            self._trail.pop()
+        return None
+
+    def _leave_trail(self):
+        if not self.rewinding:
+            self._trail.clear()
+            return
+        behind_ns = self._trail[-1].work_ns if self._trail else self._kept_work_ns
+        if self.moment.work_ns - behind_ns >= CLOSE_NS:
+            self._trail.append(Snapshot(self.moment, self._here, [each.walls for each in self._trail]))
