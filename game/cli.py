@@ -71,6 +71,7 @@ def _play_parser():
         "add --help for theirs",
     )
     _scene_options(parser)
+    parser.add_argument("--replay", metavar="FILE", help="play a recorded session")
     parser.add_argument("--cell", type=_setting(knob.CELL), metavar="PX", help=f"{knob.CELL.meaning}, in pixels")
     parser.add_argument("--fullscreen", action="store_true", help="start in full screen")
     parser.add_argument(
@@ -130,18 +131,24 @@ def _headless(options):
     return headless.status(report)
 
 
-def _replay(options):
-    from game import headless
+def _load_replay(options):
+    """Return the Recording the options ask for, or leave with status 2 and one line."""
     from game.world.replay import ReplayError, load_replay
 
     try:
         recording = load_replay(options.replay)
     except ReplayError as error:
         print(f"sandglass: {error}", file=sys.stderr)
-        return 2
+        raise SystemExit(2) from None
     if recording.problem:
         print(f"sandglass: {recording.problem}", file=sys.stderr)
-    report = headless.replay(recording)
+    return recording
+
+
+def _replay(options):
+    from game import headless
+
+    report = headless.replay(_load_replay(options))
     print(headless.replay_text(report, options.json))
     return headless.replay_status(report)
 
@@ -179,12 +186,16 @@ def _refuse(words):
 
 
 def _play(options):
-    scene = _load(options)
+    recording = None if options.replay is None else _load_replay(options)
+    scene = recording.scene if recording else _load(options)
     from game.play import loop
 
     try:
-        return loop.play(scene, options.seed, options.p, options.cell, options.fullscreen, options.ui_scale)
+        return loop.play(scene, options.seed, options.p, options.cell, options.fullscreen, options.ui_scale, recording)
     except loop.NoDisplayError as error:
         print(f"sandglass: no display to open a window on ({error}); running headless instead")
+        if recording:
+            options.json = False
+            return _replay(options)
         options.frames, options.json = knob.FRAMES.default, False
         return _headless(options)

@@ -4,14 +4,18 @@ from typing import NamedTuple
 
 import pygame
 
+CTRL = pygame.KMOD_CTRL | pygame.KMOD_META  # on a Mac, Cmd
+SHIFT = pygame.KMOD_SHIFT
+
 
 class Key(NamedTuple):
-    """A key and the command it gives: the name of a method of `Toy`."""
+    """A key and the command it gives: the name of a method of `Commands`."""
 
     label: str
     codes: tuple
     command: str
     meaning: str
+    mods: int = 0  # which of CTRL and SHIFT are to be held with it
 
 
 KEYS = (
@@ -27,24 +31,39 @@ KEYS = (
     Key("3", (pygame.K_3, pygame.K_KP3), "take_eraser", "erase"),
     Key("[", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller brush"),
     Key("]", (pygame.K_RIGHTBRACKET,), "larger_brush", "larger brush"),
+    Key("Ctrl+Z", (pygame.K_z,), "undo", "take back the last act", CTRL),
+    Key("Ctrl+Y", (pygame.K_y,), "redo", "bring it back", CTRL),
+    Key("", (pygame.K_z,), "redo", "", CTRL | SHIFT),
+    Key("Ctrl+S", (pygame.K_s,), "save", "save the scene", CTRL),
+    Key("Ctrl+O", (pygame.K_o,), "open_scenes", "open a saved scene", CTRL),
+    Key("F12", (pygame.K_F12,), "shoot_window", "picture of the window"),
+    Key("Shift+F12", (pygame.K_F12,), "shoot_sand", "picture of the sand", SHIFT),
+    Key("G", (pygame.K_g,), "record", "record a GIF, until G again"),
+    Key("Shift+G", (pygame.K_g,), "record_past", "GIF of the last ten seconds", SHIFT),
     Key("P", (pygame.K_p,), "toggle_panel", "hide or show the panel"),
     Key("F11", (pygame.K_F11,), "toggle_fullscreen", "full screen"),
     Key("F1 or ?", (pygame.K_F1, pygame.K_QUESTION), "toggle_help", "this page"),
     Key("Esc", (pygame.K_ESCAPE,), "escape", "close, leave, quit"),
 )
 OTHER_WAYS = (  # what is no command of a key
+    ("Backspace", "time runs back (Shift: fast)"),
     ("Left button", "paint with the tool"),
     ("Right button", "erase"),
     ("Wheel", "size of the brush"),
     ("Tab, arrows", "work the panel"),
 )
-_COMMANDS = {code: key.command for key in KEYS for code in key.codes}
-REPEATING = {"step", "faster", "slower", "smaller_brush", "larger_brush"}  # commands that a held key gives again
+HELP = tuple((key.label, key.meaning) for key in KEYS if key.label) + OTHER_WAYS
+REPEATING = {"step", "faster", "slower", "smaller_brush", "larger_brush", "undo", "redo"}  # again while a key is held
+_COMMANDS = {(code, key.mods): key.command for key in KEYS for code in key.codes}
+_BY_TEXT = {"?": "toggle_help", "+": "faster", "-": "slower", "[": "smaller_brush", "]": "larger_brush", ".": "step"}
 
 
 def command(event):
     """Return the command that a KEYDOWN event gives, or None."""
-    if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
+    if event.mod & pygame.KMOD_ALT:
         return None
-    by_text = {"?": "toggle_help", "+": "faster", "-": "slower", "[": "smaller_brush", "]": "larger_brush", ".": "step"}
-    return by_text.get(event.unicode) or _COMMANDS.get(event.key)
+    ctrl, shift = CTRL if event.mod & CTRL else 0, SHIFT if event.mod & SHIFT else 0
+    if ctrl:
+        return _COMMANDS.get((event.key, ctrl | shift))
+    found = _BY_TEXT.get(event.unicode) or _COMMANDS.get((event.key, shift))
+    return found or _COMMANDS.get((event.key, 0))

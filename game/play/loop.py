@@ -17,8 +17,8 @@ FRAMES_PER_SECOND = 60
 MARGIN = 16  # pixels around the sand in a new window
 
 
-def play(scene, seed=0, p=None, cell=None, fullscreen=False, ui_scale=1.0):
-    """Play `scene` in a window until the player quits; raise NoDisplayError if there is none to open one on."""
+def play(scene, seed=0, p=None, cell=None, fullscreen=False, ui_scale=1.0, recording=None):
+    """Play `scene`, or a Recording, in a window until the player quits; raise NoDisplayError if none can be opened."""
     pygame.font.init()
     theme = Theme(ui_scale)
     window = Window(window_size(scene, cell or scene.cell, theme), fullscreen)
@@ -26,8 +26,12 @@ def play(scene, seed=0, p=None, cell=None, fullscreen=False, ui_scale=1.0):
         return 0
     toy = Toy(window, scene, seed, p, ui_scale)
     threading.Thread(target=_do_all, args=(prepare.later_steps(scene.rule),), daemon=True).start()
+    toy.recovery.start()
+    if recording:
+        toy.files.play(recording, recording.scene.title)
     run(toy)
     pygame.quit()
+    toy.close()
     return 0
 
 

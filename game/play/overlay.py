@@ -2,7 +2,7 @@
 
 import pygame
 
-from game.play.keys import KEYS, OTHER_WAYS
+from game.play.keys import HELP
 from game.play.ui import paint
 from game.play.ui import theme as look
 
@@ -14,7 +14,7 @@ COLUMN = 290  # width of one column of keys
 def draw_help(surface, theme, area):
     """Draw the page that shows every key, in the middle of `area`, in as many columns as fit."""
     px = theme.px
-    rows = [(key.label, key.meaning) for key in KEYS] + list(OTHER_WAYS)
+    rows = HELP
     columns = 2 if area.width >= 2 * px(COLUMN) + 3 * px(PAD) else 1
     deep = -(-len(rows) // columns)
     line = min(px(LINE), max(theme.line_height(look.SMALL), (area.height - 4 * px(PAD)) // (deep + 1)))

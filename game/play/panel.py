@@ -4,6 +4,7 @@ from dataclasses import replace
 
 import pygame
 
+from game.play.files import demos
 from game.play.tools import TOOLS
 from game.world import knob
 from game.world.action import SetRule
@@ -35,9 +36,12 @@ class Panel:
     def __init__(self, ui):
         self.ui = ui
         self.all_seven = False  # whether the fold with all probabilities is open
+        self.past_open = False  # whether the fold of the past is open
+        self._turning = False  # a slider is being dragged, and what it sets is one act
         self._rule = None  # the rule that _p and _bias stand for
         self._p = self._bias = 0.0
         self._scenes = scene_names()
+        self._demos = demos()
 
     def lay_out(self, rect, events, now_s, mouse_pos, toy):
         """Show the controls, obey what was done to them, and return the events that the panel leaves to others."""
@@ -45,6 +49,7 @@ class Panel:
         self._scene(toy)
         self._friction(toy)
         self._time(toy)
+        self._past(toy)
         self._brush(toy)
         self._window(toy)
         return rest
@@ -81,8 +86,10 @@ class Panel:
         if schedule != rule.schedule:
             changed = self._rule = replace(changed, schedule=schedule)
         changed = self._seven(changed, scene.rule)
+        held = ui.focus.held is not None
         if changed is not rule:
-            toy.do(SetRule(changed))
+            toy.do(SetRule(changed), join=self._turning)
+        self._turning = held and (self._turning or changed is not rule)
 
     def _seven(self, rule, scene_rule):
         self.all_seven = self.ui.fold("All seven probabilities", self.all_seven)
@@ -109,14 +116,55 @@ class Panel:
         )
         ui.row(2)
         if ui.button("Go on" if session.paused else "Pause", key="Space", name="Pause", tip="Holds time"):
-            toy.pause()
+            toy.commands.pause()
         if ui.button("Step", key=".", tip="One iteration"):
-            toy.step()
+            toy.commands.step()
         ui.row(2)
         if ui.button("Flip", key="F", tip="Turns the glass over"):
-            toy.flip()
+            toy.commands.flip()
         if ui.button("Restart", key="R", tip="Starts the scene again"):
-            toy.restart()
+            toy.commands.restart()
+
+    def _past(self, toy):
+        """What can be done to time that has passed; undo, save and open are always in sight."""
+        ui, commands = self.ui, toy.commands
+        ui.row(2)
+        if ui.button("Undo", key="Ctrl+Z", tip="Takes back the last act; the sand is as it would have been without"):
+            commands.undo()
+        if ui.button("Redo", key="Ctrl+Y", tip="Brings back what was undone, or the future that was left"):
+            commands.redo()
+        ui.row(2)
+        if ui.button("Save", key="Ctrl+S", tip="Saves sand, walls and settings as one picture"):
+            commands.save()
+        if ui.button("Open", key="Ctrl+O", tip="Shows the saved scenes; the one opened replaces this sand"):
+            commands.open_scenes()
+        self.past_open = ui.fold("Past", self.past_open, tip="Undo, recording, replays, memory")
+        if self.past_open:
+            self._past_in_full(toy)
+
+    def _past_in_full(self, toy):
+        ui, commands, session = self.ui, toy.commands, toy.session
+        tip = "Undo also goes back to the moment before the act, instead of leaving the time as it is"
+        toy.undo_goes_back = ui.toggle("Undo goes back in time", toy.undo_goes_back, tip=tip)
+        ui.row(2)
+        label = "End recording" if toy.recorder.going_on else "Record"
+        if ui.button(label, key="G", name="Record", tip="Records what follows as a GIF"):
+            commands.record()
+        if ui.button("Last 10 s", key="Shift+G", tip="Records the last ten seconds as a GIF; the sand goes on"):
+            commands.record_past()
+        self._demo(toy)
+        if toy.can_leave_session and ui.button("Back to my sand", tip="Leaves this replay"):
+            toy.leave_session()
+        tip = "MB for snapshots of the past; with less of them time runs back more slowly, the sand is the same"
+        memory = ui.slider("Memory", knob.MEMORY, session.timeline.memory_mb, log=True, tip=tip)
+        if memory != session.timeline.memory_mb:
+            session.timeline.memory_mb = round(memory)
+
+    def _demo(self, toy):
+        titles = ("Play a replay …", *(name.replace("-", " ").capitalize() for name in self._demos))
+        chosen = self.ui.choice("Demo", titles, 0, tip="A recorded session; yours waits behind it")
+        if chosen:
+            toy.files.play_demo(self._demos[chosen - 1])
 
     def _brush(self, toy):
         ui, brush = self.ui, toy.brush
@@ -128,16 +176,16 @@ class Panel:
         tip = "Lets sand replace walls; without it they stay"
         brush.over_walls = ui.toggle("Paint sand over walls", brush.over_walls, tip=tip)
         if ui.button("Clear the sand", key="C", tip="Takes all sand away and leaves the walls"):
-            toy.clear()
+            toy.commands.clear()
 
     def _window(self, toy):
         ui = self.ui
         ui.heading("Window")
         ui.row(2)
         if ui.button("Full screen", key="F11", tip="Fills the screen, or goes back to the window"):
-            toy.toggle_fullscreen()
+            toy.commands.toggle_fullscreen()
         if ui.button("Keys", key="F1", tip="Every key on one page"):
-            toy.toggle_help()
+            toy.commands.toggle_help()
 
 
 def fitting_scale(ui_scale, window_width):

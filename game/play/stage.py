@@ -63,7 +63,7 @@ class Stage:
         if not spans and not old and outline == self._outline and overlay is self._overlay:
             return []
         self._outline = outline
-        if outline and not overlay:
+        if outline:
             self._draw_outline(outline)
         self._lay_over(overlay)
         if overlay:

@@ -1,11 +1,15 @@
 """Draws: what the kernels' random bits decide, laid bare in fields of blocks that can only topple."""
 
+from math import expm1, log1p
+
 import numpy as np
 
 from game import Rule, World, advance
 from game.core.planes import SAND
+from game.world.forecast import counts_at
 
 BLOCKS = 2048  # blocks across and down a field: 4 million random bits at a time
+REPLICA_POSTS = 100  # posts in a row of replicas
 TOPPLED = SAND + 3  # plane of the cells in odd rows and columns, where a grain of `posts` lands
 
 
@@ -60,7 +64,7 @@ def count_toppled(start, p, trials, seed):
     attempts = -(-trials // candidates)
     advance(world, rule, len(rule.offsets) * attempts)
     count = int(np.bitwise_count(world.planes[TOPPLED]).sum())
-    return count, -candidates * np.expm1(attempts * np.log1p(-p)), attempts * candidates
+    return count, -candidates * expm1(attempts * log1p(-p)), attempts * candidates
 
 
 def count_standing(start, p, trials, seed):
@@ -75,3 +79,13 @@ def count_standing(start, p, trials, seed):
         advance(world, rule, 1)
         standing += candidates - int(np.bitwise_count(world.planes[TOPPLED]).sum())
     return standing, attempts * candidates * (1.0 - p), attempts * candidates
+
+
+def count_toppled_replicas(p, runs, attempts, seed):
+    """Return (toppled, expected, trials) for a row of posts in `runs` replicas that try `attempts` times."""
+    sand = np.zeros((2, 2 * REPLICA_POSTS), bool)
+    sand[:, 0::2] = True
+    rule = Rule.with_p(p, "margolus")
+    counts = counts_at(sand, np.zeros_like(sand), rule, [len(rule.offsets) * attempts], runs, seed)
+    candidates = runs * REPLICA_POSTS
+    return int(counts[0, 1, 1::2].sum()), -candidates * expm1(attempts * log1p(-p)), attempts * candidates

@@ -7,7 +7,7 @@ import numpy as np
 from game import Rule
 from game.core.chance import CERTAIN, threshold
 from game.study import verdict
-from game.study.draws import count_standing, count_toppled, field, fractions, posts, toppled
+from game.study.draws import count_standing, count_toppled, count_toppled_replicas, field, fractions, posts, toppled
 from game.study.likelihood import poisson_tails, smallest_of
 from game.world.forecast import states_at
 
@@ -22,6 +22,7 @@ def run(study):
     yield from _bits(study)
     yield from _replica_bits(study.either(10**5, 10**6))
     yield from _probabilities(study)
+    yield from _replica_probabilities(study.either(10**4, 10**5))
     yield _thresholds()
 
 
@@ -82,6 +83,14 @@ def _probabilities(study):
                 yield verdict.close(quantity, seen, error, expected, BINOMIAL)
         quantity = f"p = {words}, k = {exponents[0]} … {exponents[-1]}: smallest p-value of {len(exponents)}"
         yield verdict.likely(quantity, smallest_of(p_values), BINOMIAL)
+
+
+def _replica_probabilities(runs):
+    """Yield rows on p = 2**-k in replicas, of which whole groups have nothing happen in them at a time."""
+    for k in (8, 16, 20):
+        seen, expected, trials = count_toppled_replicas(2.0**-k, runs, 100, SEED + k)
+        quantity = f"p = 2^−{k}: rare outcomes in {trials:,} trials of an ensemble"
+        yield verdict.close(quantity, seen, max(expected, 1.0) ** 0.5, expected, BINOMIAL)
 
 
 def _thresholds():

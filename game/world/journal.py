@@ -14,11 +14,10 @@ import time
 from datetime import UTC, datetime
 from pathlib import Path
 
-from platformdirs import user_data_dir
-
 from game.world.history import WAIT
 from game.world.lines import LARGEST_FILE, Pen, ReplayError
 from game.world.locking import lock
+from game.world.places import folder_of
 from game.world.replay import SUFFIX, parse
 from game.world.saving import FileError, load, trouble
 
@@ -35,9 +34,8 @@ class JournalError(FileError):
 
 
 def data_folder():
-    """Return the folder of the user's journals: in $SANDGLASS_DATA_DIR, or where the system keeps such data."""
-    home = os.environ.get("SANDGLASS_DATA_DIR") or user_data_dir("sandglass", appauthor=False)
-    return Path(home) / "journals"
+    """Return the folder of the user's journals."""
+    return folder_of("journals")
 
 
 class Journal:

@@ -3,6 +3,7 @@
 import io
 import json
 import warnings
+from dataclasses import dataclass
 from pathlib import Path
 from typing import NamedTuple
 
@@ -73,20 +74,46 @@ def save_picture(path, session):
     save(path, file.getvalue())
 
 
-def load_picture(path, threshold=None):
-    """Return the Picture in a file; raise PictureError, with one line to show, where there is none.
+@dataclass(frozen=True)
+class Photo:
+    """A picture that was not drawn of cells: how bright is sand is a matter of taste."""
 
-    Cells in the colours of a saved scene are taken as they are; a photo is scaled down to fit LARGEST_PHOTO and becomes
-    sand where its brightness is at least `threshold` (default THRESHOLD), walls down to half of it, else empty, as
-    what is see-through. A threshold makes any picture a photo.
+    path: Path
+    pixels: np.ndarray  # (H, W, 4) uint8, no larger than LARGEST_PHOTO
+
+    def picture(self, threshold=THRESHOLD.default):
+        """Return the Picture with sand where the photo is at least that bright, walls down to half of it."""
+        level = THRESHOLD.check(threshold)
+        return _picture(self.path, _by_rows(self.pixels, lambda rows: _by_brightness(rows, level)), None)
+
+
+def open_picture(path):
+    """Return what a file holds: the Picture of a scene, or a Photo; raise PictureError, with one line, if neither.
+
+    Cells in the colours of a saved scene are taken as they are; any other picture is a photo, scaled down to fit
+    LARGEST_PHOTO.
     """
     path = Path(path)
     pixels, text = _read(path)
-    level = THRESHOLD.default if threshold is None else THRESHOLD.check(threshold)
-    if threshold is None and (text is not None or _is_drawn(pixels)):
-        materials = _by_rows(pixels, nearest_materials)
-    else:
-        materials = _by_rows(_fitted(pixels), lambda rows: _by_brightness(rows, level))
+    if text is not None or _is_drawn(pixels):
+        return _picture(path, _by_rows(pixels, nearest_materials), text)
+    return Photo(path, _fitted(pixels))
+
+
+def load_picture(path, threshold=None):
+    """Return the Picture in a file; raise PictureError, with one line to show, where there is none.
+
+    A photo becomes sand where its brightness is at least `threshold` (default THRESHOLD), walls down to half of it,
+    else empty, as what is see-through. A threshold makes any picture a photo.
+    """
+    if threshold is None:
+        found = open_picture(path)
+        return found.picture() if isinstance(found, Photo) else found
+    pixels, _ = _read(Path(path))
+    return Photo(Path(path), _fitted(pixels)).picture(threshold)
+
+
+def _picture(path, materials, text):
     sand, walls = materials == SAND, materials == WALL
     sand.flags.writeable = walls.flags.writeable = False
     try:

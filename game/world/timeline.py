@@ -1,18 +1,22 @@
 """The timeline: any moment of a session, reached by computing forward from the nearest snapshot."""
 
 import time
+from collections import deque
 
 from game.world import knob
 from game.world.action import Clear, Paint, SetRule
 from game.world.history import Entry, History
 from game.world.moment import Moment
-from game.world.snapshot import MEGABYTE, Shelf, nearest
+from game.world.snapshot import MEGABYTE, Shelf, Snapshot, nearest
 
 # Work between two snapshots: a seek computes no more than that. Half as much doubles the memory for ten minutes of a
 # full screen (280 KB each); three times as much makes a rewind stutter.
 SPACING_NS = 20_000_000
+CLOSE_NS = 4_000_000  # work between two snapshots of the trail: each frame of a rewind computes no more than that
+LONGEST_TRAIL = 16  # snapshots; a rewind needs those between here and the nearest one of the shelf
 SHARE = 20  # a snapshot costs at most one part in so many of the work: on a huge lattice it takes long to copy
 SLICE_NS = 1_000_000  # work between two looks at the time; more overruns a frame's budget, less costs calls
+LONGEST_SLICE = 2048  # iterations: sand at rest costs nothing, and may start to move at any time
 REPEATABLE = Clear, Paint, SetRule  # done twice at one iteration, they do what they do once
 
 
@@ -28,9 +32,12 @@ class Timeline:
         self.start = scene, seed  # what the session began with
         self._here = self.history.root  # the last act that the moment has seen
         self._ahead = []  # acts of the line yet to come, the nearest last
-        self._spacing_ns = SPACING_NS
+        self.rewinding = False  # time runs backwards, every frame is an earlier moment: leave a trail on the way there
+        self._trail = deque(maxlen=LONGEST_TRAIL)  # snapshots beside those of the shelf, the earliest first
+        self._keeping_ns = 0  # what it took to keep the last snapshot
         self._kept_work_ns = 0  # the moment's work when the last snapshot was kept
         self._iteration_ns = float(SLICE_NS)  # what one took lately; until it is known, they go one by one
+        self._slice = 1  # iterations that went together last
 
     @property
     def now(self):
@@ -131,7 +138,7 @@ class Timeline:
     def _start_towards(self, now):
         """Make the present moment the one to compute `now` from: this one, or the nearest snapshot."""
         target = self.history.latest(now)
-        snapshot = nearest(target, now)
+        snapshot = self._on_trail(now) or nearest(target, now)
         if not self._leads_to(target, now) or (snapshot and snapshot.now > self.moment.now):
             self.moment = snapshot.moment() if snapshot else Moment.start(*self.start)
             self._here = snapshot.act if snapshot else self.history.root
@@ -161,24 +168,48 @@ class Timeline:
         return self.moment.now >= end
 
     def _run_slice(self, end):
-        some = min(end - self.moment.now, max(1, int(SLICE_NS / self._iteration_ns)))
+        wanted = min(LONGEST_SLICE, 2 * self._slice, int(SLICE_NS / self._iteration_ns))
+        self._slice = some = min(end - self.moment.now, max(1, wanted))
         self._iteration_ns = max(1.0, self.moment.run(some) / some)
         self._keep_now_and_then()
 
     def _meet(self, act):
         self.moment.take(act.action)
         self._here = act
+        self._iteration_ns, self._slice = float(SLICE_NS), 1  # what rested may move now
         self._keep_now_and_then()
 
     def _keep_now_and_then(self):
         """Keep a snapshot where the last one is far, unless the line has one near."""
-        if self.moment.work_ns - self._kept_work_ns < self._spacing_ns:
+        self._leave_trail()
+        spacing_ns = max(SPACING_NS, SHARE * self._keeping_ns)
+        if self.moment.work_ns - self._kept_work_ns < spacing_ns:
             return
         before = nearest(self._here, self.moment.now)
-        if before and self.moment.work_ns - before.work_ns < self._spacing_ns:
+        if before and self.moment.work_ns - before.work_ns < spacing_ns:
             self._kept_work_ns = before.work_ns
             return
         start = time.perf_counter_ns()
         self.shelf.keep(self.moment, self._here, self.history.line)
-        self._spacing_ns = max(SPACING_NS, SHARE * (time.perf_counter_ns() - start))
+        self._keeping_ns = time.perf_counter_ns() - start
         self._kept_work_ns = self.moment.work_ns
+
+    def _on_trail(self, now):
+        """Return the latest snapshot of the trail that leads to iteration `now`, or None; those after it are let go."""
+        while self._trail:
+            last = self._trail[-1]
+            act = self.history.latest(last.now)
+            while act is not last.act and act.at >= last.now and act.before:
+                act = act.before
+            if last.now <= now and act is last.act:
+                return last
+            self._trail.pop()
+        return None
+
+    def _leave_trail(self):
+        if not self.rewinding:
+            self._trail.clear()
+            return
+        behind_ns = self._trail[-1].work_ns if self._trail else self._kept_work_ns
+        if self.moment.work_ns - behind_ns >= CLOSE_NS:
+            self._trail.append(Snapshot(self.moment, self._here, [each.walls for each in self._trail]))

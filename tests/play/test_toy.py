@@ -5,72 +5,10 @@ import pygame
 import pytest
 
 from game import Rule
-from game.play.toy import Toy
-from game.play.window import Window
 from game.world.action import SetRule
 from game.world.scene import load_scene
 from game.world.session import Session
-
-FRAME_NS = 16_666_667
-
-
-class Player:
-    """Hands that press keys and buttons, and a clock that ticks as told."""
-
-    def __init__(self, scene="blank", size=(900, 700)):
-        self.toy = Toy(Window(size), load_scene(scene, (120, 90) if scene == "blank" else None))
-        self.now_s, self.pointer = 100.0, None
-        self.wait(0)
-
-    @property
-    def session(self):
-        return self.toy.session
-
-    @property
-    def world(self):
-        return self.toy.session.world
-
-    def frame(self, *events, elapsed_ns=FRAME_NS):
-        self.now_s += elapsed_ns / 1e9
-        return self.toy.frame(list(events), elapsed_ns, self.now_s, self.pointer)
-
-    def wait(self, frames):
-        for _ in range(frames + 1):
-            self.frame()
-
-    def hold_time(self):
-        self.session.paused = True
-
-    def key(self, code, text=""):
-        self.frame(pygame.event.Event(pygame.KEYDOWN, key=code, unicode=text, mod=0))
-        self.frame(pygame.event.Event(pygame.KEYUP, key=code, mod=0))
-
-    def button(self, kind, pos, button=1):
-        self.pointer = pos
-        self.frame(pygame.event.Event(kind, pos=pos, button=button))
-
-    def move(self, pos):
-        self.pointer = pos
-        self.frame(pygame.event.Event(pygame.MOUSEMOTION, pos=pos, rel=(0, 0), buttons=(1, 0, 0)))
-
-    def drag(self, *places, button=1):
-        self.button(pygame.MOUSEBUTTONDOWN, places[0], button)
-        for pos in places[1:]:
-            self.move(pos)
-        self.button(pygame.MOUSEBUTTONUP, places[-1], button)
-
-    def click(self, pos):
-        self.drag(pos)
-
-    def pixel(self, column, row):
-        """Return the pixel in the middle of a cell."""
-        x, y = self.toy.stage.view.pixel(column + 0.5, row + 0.5)
-        return int(x), int(y)
-
-    def control(self, name, share=0.5):
-        """Return the place at `share` of the way along a control's moving part."""
-        part = (self.toy.panel.ui.parts(name) or [self.toy.panel.ui.rects[name]])[0]
-        return int(part.left + share * part.width), part.centery
+from tests.play.player import FRAME_NS, Player
 
 
 @pytest.fixture

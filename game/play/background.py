@@ -1,0 +1,52 @@
+"""The background: work that takes longer than a frame is done in threads, and its outcome heard between two frames."""
+
+import queue
+import threading
+
+from game.world.saving import FileError
+from game.world.table import SceneError
+
+EXPECTED = FileError, SceneError, OSError, MemoryError
+
+
+class Background:
+    """Threads at work, and what they have to say."""
+
+    def __init__(self, sorry):
+        """`sorry` is called with the error of work that failed as work with files does."""
+        self._sorry = sorry
+        self._outcomes = queue.SimpleQueue()
+        self._threads = []
+
+    @property
+    def busy(self):
+        """Whether any work is not done, or its outcome not heard."""
+        return any(thread.is_alive() for thread in self._threads) or not self._outcomes.empty()
+
+    def do(self, work, then=None):
+        """Call `work()` in a thread, and then(its result) at the next `hear` after it."""
+
+        def run():
+            try:
+                result = work()
+            except EXPECTED as error:
+                self._outcomes.put((self._sorry, error))
+            else:
+                if then:
+                    self._outcomes.put((then, result))
+
+        thread = threading.Thread(target=run, daemon=True)
+        self._threads = [*(each for each in self._threads if each.is_alive()), thread]
+        thread.start()
+
+    def hear(self):
+        """Act on the outcomes so far."""
+        while not self._outcomes.empty():
+            act, outcome = self._outcomes.get()
+            act(outcome)
+
+    def finish(self):
+        """Wait for what is being written."""
+        for thread in self._threads:
+            thread.join()
+        self.hear()

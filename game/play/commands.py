@@ -1,0 +1,136 @@
+"""The commands: what a player can tell the toy by a key or a button of the panel."""
+
+from game.world import knob
+from game.world.action import Clear, Load
+
+FASTER = 2**0.5  # what one press of + does to the speed
+
+
+class Commands:
+    """One method for each command, named as in the table of `keys`."""
+
+    def __init__(self, toy):
+        self.toy = toy
+
+    # --- time ---
+
+    def pause(self):
+        """Hold time, or let it go on."""
+        self.toy.session.paused = not self.toy.session.paused
+
+    def step(self):
+        """Run one iteration and hold time."""
+        self.toy.session.paused = True
+        self.toy.session.step()
+
+    def faster(self):
+        """Speed time up by half."""
+        self._change_speed(FASTER)
+
+    def slower(self):
+        """Slow time down by a third."""
+        self._change_speed(1 / FASTER)
+
+    def undo(self):
+        """Take back the last act; where a session has none left, go back to the one it was opened over."""
+        toy = self.toy
+        if not toy.session.undo(toy.undo_goes_back, toy.SEEK_NS) and not toy.leave_session():
+            toy.notices.say("There is nothing to take back.")
+
+    def redo(self):
+        """Bring back what was undone last, or the future that was left."""
+        toy = self.toy
+        if not toy.session.redo(toy.undo_goes_back, toy.SEEK_NS):
+            toy.notices.say("There is nothing to bring back.")
+
+    # --- sand ---
+
+    def flip(self):
+        """Turn the glass over: at once in the lattice, and in half a second on the screen."""
+        self.toy.turn_over()
+
+    def restart(self):
+        """Start the scene again."""
+        self.toy.do(Load(self.toy.session.scene, self.toy.session.seed))
+
+    def clear(self):
+        """Take all sand away."""
+        self.toy.do(Clear())
+
+    # --- brush ---
+
+    def take_sand(self):
+        """Paint sand from now on."""
+        self.toy.brush.material = "sand"
+
+    def take_wall(self):
+        """Paint walls from now on."""
+        self.toy.brush.material = "wall"
+
+    def take_eraser(self):
+        """Erase from now on."""
+        self.toy.brush.material = "erase"
+
+    def smaller_brush(self):
+        """Shrink the brush."""
+        self.toy.brush.resize(-1)
+
+    def larger_brush(self):
+        """Grow the brush."""
+        self.toy.brush.resize(1)
+
+    # --- files ---
+
+    def save(self):
+        """Save the scene as it is now."""
+        self.toy.files.save()
+
+    def open_scenes(self):
+        """Show the saved scenes, or close their list."""
+        self.toy.gallery.toggle()
+
+    def shoot_window(self):
+        """Take a picture of the window."""
+        self.toy.recorder.shoot_window()
+
+    def shoot_sand(self):
+        """Take a picture of the sand alone, its cells whole pixels wide."""
+        self.toy.recorder.shoot_sand()
+
+    def record(self):
+        """Record what follows, or end the recording."""
+        self.toy.recorder.toggle()
+
+    def record_past(self):
+        """Record the last ten seconds."""
+        self.toy.recorder.record_past()
+
+    # --- window ---
+
+    def toggle_panel(self):
+        """Hide or show the panel."""
+        self.toy.panel_shown = not self.toy.panel_shown
+        self.toy.lay_out_anew()
+
+    def toggle_fullscreen(self):
+        """Fill the screen, or go back."""
+        self.toy.window.toggle_fullscreen()
+        self.toy.lay_out_anew()
+
+    def toggle_help(self):
+        """Open or close the page of keys."""
+        self.toy.help_open = not self.toy.help_open
+        self.toy.refresh()
+
+    def escape(self):
+        """Close what is open; with nothing open, quit."""
+        if self.toy.help_open:
+            self.toggle_help()
+        elif self.toy.window.fullscreen:
+            self.toggle_fullscreen()
+        else:
+            self.toy.running = False
+
+    def _change_speed(self, factor):
+        clock = self.toy.session.clock
+        clock.speed = min(max(clock.speed * factor, knob.SPEED.low), knob.SPEED.high)

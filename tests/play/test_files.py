@@ -1,0 +1,340 @@
+"""Files in and out of the window: saved scenes, dropped files, journals, pictures and recordings."""
+
+import time
+
+import numpy as np
+import pygame
+import pytest
+from PIL import Image
+
+from game.play import recorder
+from game.world import journal
+from game.world.assets import asset
+from game.world.history import UNDO, Entry
+from game.world.journal import Journal
+from game.world.picture_file import load_picture
+from game.world.places import folder_of
+from game.world.replay import save_replay
+from game.world.world import World
+from tests.play.player import Player
+
+CTRL = pygame.KMOD_LCTRL
+SHIFT = pygame.KMOD_LSHIFT
+
+
+@pytest.fixture
+def player():
+    yield Player()
+    pygame.display.quit()
+
+
+@pytest.fixture
+def glass():
+    yield Player("hourglass")
+    pygame.display.quit()
+
+
+def save(player):
+    player.key(pygame.K_s, mod=CTRL)
+    player.settle()
+
+
+def the_file(kind):
+    (path,) = folder_of(kind).iterdir()
+    return path
+
+
+def as_new(world):
+    """Return the digest of a world's cells as a scene starts with them."""
+    return World.from_cells(world.sand, world.walls, world.seed).digest()
+
+
+# --- scenes ---
+
+
+def test_what_is_saved_is_what_is_opened(glass):
+    glass.wait(60)
+    glass.hold_time()
+    rule, sand = glass.session.rule, as_new(glass.world)
+    save(glass)
+    assert str(the_file("scenes")) in glass.toy.notices.text
+    glass.key(pygame.K_c)
+    glass.key(pygame.K_o, mod=CTRL)
+    glass.settle()
+    glass.key(pygame.K_RETURN)
+    glass.settle()
+    assert as_new(glass.world) == sand and glass.session.rule == rule and not glass.toy.gallery.shown
+
+
+def test_opening_a_scene_can_be_taken_back(glass):
+    glass.hold_time()
+    save(glass)
+    glass.key(pygame.K_c)
+    glass.drop(the_file("scenes"))
+    assert glass.world.grains
+    glass.key(pygame.K_z, mod=CTRL)
+    assert glass.world.grains == 0
+
+
+def test_saving_twice_keeps_both(player):
+    save(player)
+    save(player)
+    assert len(list(folder_of("scenes").iterdir())) == 2
+
+
+def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
+    player.hold_time()
+    grains = []
+    for x in (20, 60, 100):
+        player.click(player.pixel(x, 40))
+        grains.append(player.world.grains)
+        save(player)
+        time.sleep(0.01)
+    gallery = player.toy.gallery
+    player.key(pygame.K_o, mod=CTRL)
+    player.settle()
+    assert [path for path in gallery.paths if gallery._sprites[path]] == gallery.paths and len(gallery.paths) == 3
+    player.key(pygame.K_END)
+    assert gallery.chosen == 2
+    player.key(pygame.K_ESCAPE)
+    assert not gallery.shown and player.toy.running
+    player.key(pygame.K_o, mod=CTRL)
+    player.click(gallery.tile(1).center)
+    player.settle()
+    assert player.world.grains == grains[1]
+
+
+def test_a_damaged_saved_scene_is_shown_as_such_and_costs_a_line(player):
+    folder_of("scenes").mkdir(parents=True)
+    (folder_of("scenes") / "torn.png").write_bytes(b"\x89PNG\r\n\x1a\n torn")
+    player.hold_time()
+    before = player.world.digest()
+    player.key(pygame.K_o, mod=CTRL)
+    player.settle()
+    player.key(pygame.K_RETURN)
+    player.settle()
+    assert "unreadable" in player.toy.notices.text
+    assert player.world.digest() == before
+
+
+def test_a_folder_that_cannot_be_written_costs_a_line_and_no_sand(player, own_folder):
+    own_folder.write_text("a file where the folder should be")
+    player.click(player.pixel(60, 40))
+    grains = player.world.grains
+    save(player)
+    assert "cannot make the folder" in player.toy.notices.text and player.world.grains == grains
+
+
+# --- what is dropped ---
+
+
+def test_a_dropped_scene_file_is_played(player, tmp_path):
+    path = tmp_path / "two.toml"
+    path.write_text('title = "Two"\ncells = """\no.o\n###\n"""\n')
+    player.drop(path)
+    assert player.world.shape == (2, 3) and player.world.grains == 2
+
+
+def test_a_dropped_replay_is_played_and_left_again(player, glass, tmp_path):
+    glass.wait(30)
+    glass.key(pygame.K_c)
+    glass.wait(10)
+    save_replay(tmp_path / "clear.sandglass", glass.session)
+    player.click(player.pixel(60, 40))
+    player.hold_time()
+    sand = player.world.digest()
+    player.drop(tmp_path / "clear.sandglass")
+    assert player.session.scene.name == "hourglass" and player.session.now == 0
+    player.session.seek(glass.session.now)
+    assert player.world.digest() == glass.world.digest()
+    player.session.seek(0)
+    player.key(pygame.K_z, mod=CTRL)
+    assert player.world.digest() == sand
+
+
+def test_every_shipped_replay_can_be_played_from_the_panel(player):
+    player.click(player.control("Past"))
+    for number, path in enumerate(sorted(asset("replays").glob("*.sandglass"))):
+        player.click(player.control("Demo"))
+        player.click(player.toy.panel.ui.parts("Demo")[number + 1].center)
+        player.settle()
+        assert path.stem in player.toy.notices.text and player.session.reached > 0
+        player.frame()
+    player.click(player.control("Back to my sand"))
+    assert not player.toy.can_leave_session or player.session.scene.name != "blank"
+
+
+def test_a_photo_is_looked_at_before_it_is_taken(player, tmp_path):
+    grey = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
+    Image.fromarray(grey).convert("RGB").save(tmp_path / "grey.png")
+    player.drop(tmp_path / "grey.png")
+    assert player.toy.photo.shown and player.session.scene.name == "blank"
+    player.frame()
+    track = player.toy.photo.ui.parts("Threshold")[0]
+    player.click((track.left + track.width * 3 // 4, track.centery))
+    player.key(pygame.K_RETURN)
+    sand = player.session.scene.sand
+    assert not player.toy.photo.shown and player.session.scene.shape == (48, 64)
+    assert 0 < sand.sum() < load_picture(tmp_path / "grey.png").scene.sand.sum()
+
+
+def test_a_photo_can_be_left(player, tmp_path):
+    Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
+    player.drop(tmp_path / "grey.png")
+    player.key(pygame.K_ESCAPE)
+    assert not player.toy.photo.shown and player.session.scene.name == "blank" and player.toy.running
+
+
+@pytest.mark.parametrize("name", ("bad.toml", "bad.sandglass", "bad.png", "bad.txt", "gone.toml", "gone.jpg", ""))
+def test_a_bad_file_costs_a_line_and_no_sand(player, tmp_path, name):
+    if name.startswith("bad"):
+        (tmp_path / name).write_bytes(b"\x00 nothing of use \xff")
+    player.hold_time()
+    sand = player.world.digest()
+    player.drop(tmp_path / name)
+    assert player.toy.notices.text.count("\n") == 0 and str(tmp_path) in player.toy.notices.text
+    assert player.world.digest() == sand
+
+
+# --- journals ---
+
+
+def crash(player):
+    """End the session's journal as a crash does."""
+    player.session.journal.abandon()
+    player.session.journal = None
+
+
+def test_a_session_cut_off_is_offered_and_goes_on_where_it_was(player):
+    player.toy.recovery.start()
+    player.drag(player.pixel(20, 20), player.pixel(60, 20))
+    player.wait(10)
+    player.key(pygame.K_f)
+    at, cells = player.session.now, as_new(player.world)
+    crash(player)
+    player = Player()
+    player.toy.recovery.start()
+    player.settle()
+    assert player.toy.question.shown
+    player.key(pygame.K_RETURN)
+    player.settle()
+    assert player.session.now == at and as_new(player.world) == cells and player.session.journal
+    player.toy.close()
+    assert next(journal.unfinished(), None) is None
+
+
+@pytest.mark.parametrize(("key", "offered_again"), ((pygame.K_ESCAPE, True), (pygame.K_DELETE, False)))
+def test_a_session_cut_off_can_wait_or_be_let_go(player, key, offered_again):
+    player.toy.recovery.start()
+    player.click(player.pixel(20, 20))
+    crash(player)
+    player = Player()
+    player.toy.recovery.start()
+    player.settle()
+    player.key(key)
+    player.settle()
+    assert not player.toy.question.shown and player.world.grains == 0 and player.toy.running
+    player.toy.close()
+    assert (next(journal.unfinished(), None) is not None) == offered_again
+
+
+def test_the_question_does_not_keep_anyone_from_playing(player):
+    begun = Journal.begin(player.session.scene, 0)
+    begun.note(Entry(0, UNDO))
+    begun.abandon()
+    player.toy.recovery.start()
+    player.settle()
+    at = player.session.now
+    player.drag(player.pixel(20, 60), player.pixel(60, 60))
+    assert player.toy.question.shown and player.world.grains and player.session.now > at
+    ui = player.toy.question.ui
+    player.click(ui.rects["Later"].center)
+    assert not player.toy.question.shown
+
+
+def test_a_journal_that_cannot_be_kept_costs_a_line_and_no_sand(player, own_folder):
+    own_folder.write_text("a file where the folder should be")
+    player.toy.recovery.start()
+    player.click(player.pixel(20, 20))
+    player.settle()
+    assert "cannot keep a journal" in player.toy.notices.text and player.world.grains
+
+
+def test_leaving_ends_the_journal(player):
+    player.toy.recovery.start()
+    player.click(player.pixel(20, 20))
+    player.key(pygame.K_ESCAPE)
+    player.toy.close()
+    assert not player.toy.running and next(journal.unfinished(), None) is None
+
+
+# --- pictures and recordings ---
+
+
+def test_a_picture_of_the_window_is_as_large_as_the_window(player):
+    player.key(pygame.K_F12)
+    player.settle()
+    with Image.open(the_file("pictures")) as image:
+        assert image.size == player.toy.window.size and len(image.convert("RGB").getcolors(1 << 20)) > 10
+
+
+def test_a_picture_of_the_sand_has_cells_of_whole_pixels(glass):
+    glass.hold_time()
+    glass.key(pygame.K_F12, mod=SHIFT)
+    glass.settle()
+    height, width = glass.world.shape
+    with Image.open(the_file("pictures")) as image:
+        scale = image.width // width
+        assert image.size == (width * scale, height * scale)
+        assert image.width < 4096
+
+
+def test_a_recording_shows_what_followed(glass):
+    glass.key(pygame.K_g)
+    glass.wait(60)
+    assert "G ends it" in glass.toy.recorder.said
+    glass.key(pygame.K_g)
+    glass.settle()
+    with Image.open(the_file("pictures")) as image:
+        assert image.width % glass.world.shape[1] == 0 and 20 <= image.n_frames <= 30
+        total_ms = 0
+        for number in range(image.n_frames):
+            image.seek(number)
+            total_ms += image.info["duration"]
+        assert total_ms == pytest.approx(1040, abs=80)
+
+
+def test_the_last_frame_of_the_past_recorded_is_the_sand_now(glass):
+    glass.wait(30)
+    glass.drag(glass.pixel(30, 40), glass.pixel(60, 60))
+    glass.wait(30)
+    glass.hold_time()
+    glass.key(pygame.K_g, mod=SHIFT)
+    glass.settle()
+    film = recorder.Film(glass.world.shape, glass.session.scene.cell)
+    wanted = recorder._rgb(recorder.picture.palette().reshape(-1)[film.frame(glass.world)])
+    with Image.open(the_file("pictures")) as image:
+        assert image.n_frames > 20
+        image.seek(image.n_frames - 1)
+        assert (np.asarray(image.convert("RGB")) == wanted).all()
+
+
+def test_no_frame_waits_for_the_writer(glass, monkeypatch):
+    monkeypatch.setattr(recorder.Gif, "add", lambda self, pixels, ms: time.sleep(0.2))
+    start = time.perf_counter()
+    glass.key(pygame.K_g)
+    for _ in range(40):
+        glass.frame(elapsed_ns=40_000_000)
+    assert time.perf_counter() - start < 40 * 0.2 / 2
+    glass.toy.recorder.stop()
+
+
+def test_a_still_picture_is_written_once(player):
+    player.hold_time()
+    player.key(pygame.K_g)
+    for _ in range(20):
+        player.frame(elapsed_ns=40_000_000)
+    player.key(pygame.K_g)
+    player.settle()
+    with Image.open(the_file("pictures")) as image:
+        assert image.n_frames == 1
