@@ -13,7 +13,6 @@ HEADLINES = frozenset(
         "grains stuck on the left slope, margolus, glass moved right by 1",
         "largest surplus of grains on one side of the pile, margolus, p = 1",
         "largest surplus of grains on one side of the pile, balanced, p = 1",
-        "exponent of time in cells, measured",
         "rms difference in floors, plain kernel with fresh draws against the toy's",
         "rms error in floors, draws: fixed noise by place",
         "lean of the pile, paper, p = 0.75, %",
