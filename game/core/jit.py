@@ -74,5 +74,5 @@ def kernel(function):
 
 
 def gate(function):
-    """Compile `function` into each kernel that calls it."""
-    return numba.njit(function)
+    """Compile `function` into each kernel that calls it, body and all: a call would count references to every array."""
+    return numba.njit(function, forceinline=True)

@@ -107,19 +107,28 @@ def certain_falls(fl, fr, oa, ob, oc, od, seven):
 def fall(planes, at, size, flags, seven):
     """Make the certain falls, in place, and flag the words with candidates.
 
-    Return whether anything fell and how many words are flagged. What fell has left no new candidate behind.
+    Return whether anything fell and whether a word is flagged. What fell has left no new candidate behind.
     """
-    fell, flagged = _ZERO, _ZERO
+    fell, some = _ZERO, _ZERO
     for i in range(size):
         a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
         fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
         left, right = certain_falls(fl, fr, oa, ob, oc, od, seven)
         put(planes, at, i, a ^ left, b ^ right, c ^ left, d ^ right)
-        has_candidates = ((fl ^ left) | (fr ^ right) | tl | tr) != _ZERO
-        flags[i] = np.uint8(has_candidates)
+        candidates = (fl ^ left) | (fr ^ right) | tl | tr
+        flags[i] = candidates != _ZERO
         fell |= left | right
-        flagged += np.uint64(has_candidates)
-    return fell != _ZERO, flagged
+        some |= candidates
+    return fell != _ZERO, some != _ZERO
+
+
+@gate
+def count_flags(flags, size):
+    """Return how many of the first `size` flags are set."""
+    flagged = _ZERO
+    for i in range(size):
+        flagged += np.uint64(flags[i])
+    return flagged
 
 
 @gate
@@ -212,7 +221,10 @@ def draw_many(planes, at, size, undecided, first_draw, place, key, chance, seven
 @gate
 def move_by_chance(planes, at, size, place, room, key, chance, seven):
     """Move the sand in `size` words of blocks, in place; return whether there was an event, or could have been one."""
-    fell, flagged = fall(planes, at, size, room.flags, seven)
+    fell, some = fall(planes, at, size, room.flags, seven)
+    if not some:
+        return fell
+    flagged = count_flags(room.flags, size)
     draw, words = NONE_YET, flagged
     while words * CROWD > size and draw < chance.draws:
         words = draw_many(planes, at, size, room.undecided, draw, place, key, chance, seven)
@@ -228,7 +240,7 @@ def move_by_chance(planes, at, size, place, room, key, chance, seven):
                 for i in range(group << _THREE, min((group + _ONE) << _THREE, size)):
                     if room.flags[i]:
                         draw_few(planes, at, i, _FULL, draw, place, key, chance, seven)
-    return fell or flagged != _ZERO
+    return True
 
 
 @gate
