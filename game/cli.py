@@ -2,10 +2,12 @@
 
 import argparse
 import sys
+from importlib.util import find_spec
+from pathlib import Path
 
 from game.world import knob
 
-COMMANDS = ("headless", "bench")
+STUDY_NEEDS = ("matplotlib", "rich")  # packages of the `study` extra
 
 
 class _Parser(argparse.ArgumentParser):
@@ -23,6 +25,8 @@ def main(arguments=None):
             return _headless(options) if options.replay is None else _replay(options)
         if arguments[:1] == ["bench"]:
             return _bench(_bench_parser().parse_args(arguments[1:]))
+        if arguments[:1] == ["study"]:
+            return _study(_study_parser().parse_args(arguments[1:]))
         return _play(_play_parser().parse_args(arguments))
     except BrokenPipeError:
         return 0
@@ -63,7 +67,8 @@ def _play_parser():
     parser = _Parser(
         prog="sandglass",
         description="Sand that you paint, pour, stop with walls and turn over.",
-        epilog="commands: headless (frames without a window, timed), bench (how fast it is); add --help for theirs",
+        epilog="commands: headless (frames without a window, timed), bench (how fast it is), study (how right it is); "
+        "add --help for theirs",
     )
     _scene_options(parser)
     parser.add_argument("--replay", metavar="FILE", help="play a recorded session")
@@ -93,6 +98,17 @@ def _bench_parser():
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument("--out", metavar="DIR", help="write the tables as Markdown and JSON, and a picture")
+    return parser
+
+
+def _study_parser():
+    parser = _Parser(
+        prog="sandglass study",
+        description="Measure how right the sand is, row by row against what is expected; status 1 if a row disagrees.",
+    )
+    parser.add_argument("--quick", action="store_true", help="a run of less than a minute, with larger errors")
+    parser.add_argument("--out", type=Path, default=Path("study"), metavar="DIR", help="where the report goes")
+    parser.add_argument("--part", action="append", metavar="NAME", help="run this part only; may be given again")
     return parser
 
 
@@ -145,6 +161,28 @@ def _bench(options):
     except command.CannotWriteError as error:
         print(f"sandglass bench: {error}", file=sys.stderr)
         return 2
+
+
+def _study(options):
+    missing = [name for name in STUDY_NEEDS if find_spec(name) is None]
+    if missing:
+        return _refuse(f"the study needs {' and '.join(missing)}: pip install 'sandglass[study]'")
+    from game.study import run
+
+    parts = options.part or list(run.PARTS)
+    unknown = [name for name in parts if name not in run.PARTS]
+    if unknown:
+        return _refuse(f"the study has no part {unknown[0]!r}; its parts are {', '.join(run.PARTS)}")
+    try:
+        return run.run(options.quick, options.out, parts)
+    except OSError as error:
+        return _refuse(f"the report cannot be written: {error}")
+
+
+def _refuse(words):
+    """Say in one line why nothing is done and return status 2."""
+    print(f"sandglass: {words}", file=sys.stderr)
+    return 2
 
 
 def _play(options):

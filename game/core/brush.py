@@ -52,7 +52,8 @@ def stroke(planes, height, width, words, x0, y0, x1, y1, radius, material, over_
             if _distance_squared(x + 0.5, y + 0.5, x0, y0, x1, y1) > reach:
                 continue
             plane = 2 * (y & 1) + (x & 1)
-            lane, word = divmod(x >> 1, words)
+            lane = (x >> 1) // words
+            word = (x >> 1) - lane * words
             start = (y >> 1) * (words + 1)
             at = start + word
             bit = _ONE << np.uint64(lane)

@@ -9,6 +9,7 @@ TEXTURE = 64  # side of the texture of shades, in cells; a power of two
 SHADES = 8
 EMPTY, GRAIN, WALL, SURFACE = range(4)  # what a cell looks like: a surface is a grain with nothing on it
 
+_ZERO = np.uint64(0)
 _ONE = np.uint64(1)
 _BYTE = np.uint64(8)
 _SHADE_BITS, _CODE_BITS, _HALF = np.uint16(3), np.uint16(5), np.uint16(8)  # a look and a shade make a code of five bits
@@ -18,29 +19,29 @@ _POINT = 1 << _POINT_BITS
 
 
 @gate
+def _bits_of_row(planes, plane, start, above, words, low, high):
+    """Write the two bits of the looks of a plane row: `low` for grains, `high` for walls, both for surfaces."""
+    for word in range(words):
+        sand, walls = planes[SAND + plane, start + word], planes[WALLS + plane, start + word]
+        covered = _ZERO
+        if above >= 0:
+            covered = planes[SAND + (plane ^ 2), above + word] | planes[WALLS + (plane ^ 2), above + word]
+        low[word] = sand
+        high[word] = walls | (sand & ~covered)
+
+
+@gate
 def _looks_of_row(planes, stride, words, y, bits, looks):
     """Write what the cells of lattice row y look like to `looks`, two neighbours a uint16, padded to whole words.
 
     bits: (4, words) uint64, room for the two bits of the looks of the even and of the odd columns.
     """
-    start = (y >> 1) * stride
+    start, plane = (y >> 1) * stride, 2 * (y & 1)
     above = start - stride * (1 - (y & 1))
-    for parity in range(2):
-        plane = 2 * (y & 1) + parity
-        low, high = bits[2 * parity], bits[2 * parity + 1]
-        sand = planes[SAND + plane, start : start + words]
-        walls = planes[WALLS + plane, start : start + words]
-        if y > 0:
-            sand_above = planes[SAND + (plane ^ 2), above : above + words]
-            walls_above = planes[WALLS + (plane ^ 2), above : above + words]
-            for word in range(words):
-                high[word] = walls[word] | (sand[word] & ~(sand_above[word] | walls_above[word]))
-        else:
-            high[:] = walls | sand
-        low[:] = sand
+    _bits_of_row(planes, plane, start, above, words, bits[0], bits[1])
+    _bits_of_row(planes, plane + 1, start, above, words, bits[2], bits[3])
     for bit in range(BITS):
-        shift = np.uint64(bit)
-        first = bit * words
+        shift, first = np.uint64(bit), bit * words
         for word in range(words):
             even = ((bits[0, word] >> shift) & _ONE) | (((bits[1, word] >> shift) & _ONE) << _ONE)
             odd = ((bits[2, word] >> shift) & _ONE) | (((bits[3, word] >> shift) & _ONE) << _ONE)
@@ -53,6 +54,12 @@ def _colours_of_row(looks, shades, pairs, colours):
     for k in range(looks.size):
         codes = (looks[k] << _SHADE_BITS) | shades[k]
         colours[k] = pairs[np.uint64((codes & _CODE) | ((codes >> _HALF) << _CODE_BITS))]
+
+
+@gate
+def _copy(source, first, target, start, size):
+    for j in range(size):
+        target[start + j] = source[first + j]
 
 
 @kernel
@@ -70,17 +77,17 @@ def draw_cells(planes, stride, words, columns, rows, shades, pairs, pixels, top,
     unscaled = columns[width - 1] - columns[0] == width - 1
     for i in range(len(rows)):
         y = rows[i]
-        line = pixels[top + i, left : left + width]
+        line = pixels[top + i]
         if i > 0 and y == rows[i - 1]:
-            line[:] = pixels[top + i - 1, left : left + width]
+            _copy(pixels[top + i - 1], left, line, left, width)
             continue
         _looks_of_row(planes, stride, words, y, bits, looks)
         _colours_of_row(looks, shades[y % TEXTURE], pairs, colours)
         if unscaled:
-            line[:] = cells[columns[0] : columns[0] + width]
+            _copy(cells, columns[0], line, left, width)
         else:
             for j in range(width):
-                line[j] = cells[columns[j]]
+                line[left + j] = cells[columns[j]]
 
 
 def pairs_of(palette):

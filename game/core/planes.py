@@ -96,7 +96,7 @@ def bands(planes, where, first=SAND, height=64):
 def turn(planes, where):
     """Turn the lattice by 180 degrees, in place."""
     sand, walls = unpack(planes, where, SAND), unpack(planes, where, WALLS)
-    planes[:] = pack(sand[::-1, ::-1], walls[::-1, ::-1])
+    planes[:] = pack(np.ascontiguousarray(sand[::-1, ::-1]), np.ascontiguousarray(walls[::-1, ::-1]))
 
 
 @kernel
@@ -105,7 +105,8 @@ def _pack_cells(sand, walls, planes, words):
     for y in range(height):
         for x in range(width):
             plane = 2 * (y & 1) + (x & 1)
-            lane, word = divmod(x >> 1, words)
+            lane = (x >> 1) // words
+            word = (x >> 1) - lane * words
             at = (y >> 1) * (words + 1) + word
             bit = _ONE << np.uint64(lane)
             if sand[y, x]:
@@ -119,7 +120,8 @@ def _unpack_cells(planes, words, cells):
     height, width = cells.shape
     for y in range(height):
         for x in range(width):
-            lane, word = divmod(x >> 1, words)
+            lane = (x >> 1) // words
+            word = (x >> 1) - lane * words
             bits = planes[2 * (y & 1) + (x & 1), (y >> 1) * (words + 1) + word]
             cells[y, x] = (bits >> np.uint64(lane)) & _ONE
 
@@ -128,10 +130,9 @@ def _unpack_cells(planes, words, cells):
 def shift_walls(planes, rows, words):
     """Make the walls of even columns for odd x anew, in place."""
     for parity in range(2):
-        source = planes[WALLS + 2 * parity]
-        copy = planes[SHIFTED_WALLS + parity]
-        copy[:] = source
-        for row in range(rows):
-            start = row * (words + 1)
-            copy[start + words] = (source[start] >> _ONE) | (_ONE << _TOP)
-            copy[start] = _FULL
+        plane, copy = WALLS + 2 * parity, SHIFTED_WALLS + parity
+        for i in range(planes.shape[1]):
+            planes[copy, i] = planes[plane, i]
+        for start in range(0, rows * (words + 1), words + 1):
+            planes[copy, start + words] = (planes[plane, start] >> _ONE) | (_ONE << _TOP)
+            planes[copy, start] = _FULL

@@ -18,22 +18,34 @@ KINDS = {  # a rule for each kind of kernel
 
 def steps(rule):
     """Return [(what, act)], every kernel that playing a scene with `rule` needs; call each act to make it ready."""
-    world = World.from_cells(np.eye(2, dtype=bool), np.zeros((2, 2), bool))
-    dot = np.zeros((2, 2), np.uint32)
     return [
-        ("the layout of the cells", lambda: (world.sand, world.flip())),
-        (_kind_of(rule), lambda: advance(world, rule, 1)),
-        ("drawing", lambda: Painter(View.fit((2, 2), 0, 0, 2, 2)).draw(world, dot)),
-        ("the turn of the glass", lambda: draw_turned(dot, np.uint32(0), 1.0, 0.0, dot.copy(), 0, 0, 2, 2)),
-        ("the brush", lambda: apply(Paint("sand", (0.0, 0.0), (1.0, 1.0), 1), world, rule)),
+        ("the layout of the cells", lambda: (_dot().sand, _dot().flip())),
+        (_kind_of(rule), lambda: advance(_dot(), rule, 1)),
+        ("drawing", _draw),
+        ("the brush", lambda: apply(Paint("sand", (0.0, 0.0), (1.0, 1.0), 1), _dot(), rule)),
     ]
 
 
 def later_steps(rule):
     """Return [(what, act)] for the kernels that a player may need next."""
-    world = World.from_cells(np.eye(2, dtype=bool), np.zeros((2, 2), bool))
     others = [(what, other) for what, other in KINDS.items() if what != _kind_of(rule)]
-    return [(what, lambda other=other: advance(world, other, 1)) for what, other in others]
+    return [("the turn of the glass", _turn)] + [
+        (what, lambda other=other: advance(_dot(), other, 1)) for what, other in others
+    ]
+
+
+def _dot():
+    """Return a world of a few cells, made when asked for, since making one compiles the layout."""
+    return World.from_cells(np.eye(2, dtype=bool), np.zeros((2, 2), bool))
+
+
+def _draw():
+    Painter(View.fit((2, 2), 0, 0, 2, 2)).draw(_dot(), np.zeros((2, 2), np.uint32))
+
+
+def _turn():
+    picture = np.zeros((2, 2), np.uint32)
+    draw_turned(picture, np.uint32(0), 1.0, 0.0, picture.copy(), 0, 0, 2, 2)
 
 
 def _kind_of(rule):

@@ -1,0 +1,1 @@
+"""Tests of the study: its framework, its chain and its verdicts."""

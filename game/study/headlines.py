@@ -1,0 +1,26 @@
+"""Headlines: the rows that the README shows."""
+
+HEADLINES = frozenset(
+    {
+        "p = 0.5: chi-square per degree of freedom",
+        "seven different: chi-square per degree of freedom",
+        "cells that differ between 5 seeds at p = 1, t = 500",
+        "pile's contour grows in height from p = 0.5 to 0.25, cells",
+        "pile's contour grows in width from p = 0.5 to 0.25, cells",
+        "exponent of the settling time in p, from 0.25 to 0.5",
+        "exponent of the settling time in p, from 0.5 to 1",
+        "grains stuck on the left slope, margolus, glass moved right by 0",
+        "grains stuck on the left slope, margolus, glass moved right by 1",
+        "largest surplus of grains on one side of the pile, margolus, p = 1",
+        "largest surplus of grains on one side of the pile, balanced, p = 1",
+        "rms difference in floors, plain kernel with fresh draws against the toy's",
+        "rms error in floors, draws: fixed noise by place",
+        "lean of the pile, paper, p = 0.75, %",
+        "lean of the pile, balanced, p = 0.75, %",
+        "exponent of the later flow in the neck's width, balanced",
+        "exponent of the flow in the sand left, from 80 % to 40 %, p = 0.75",
+        "exponent of the flow in the sand left, from 80 % to 40 %, p = 0.5",
+        "final slope, p = 0.75, degrees",
+        "exponent of the fallen height in time",
+    }
+)

@@ -1,0 +1,81 @@
+"""The study: runs its parts one after the other, shows what they find and writes it down.
+
+A part is a module with a TITLE and a function `run(study)` that yields Rows (made by `verdict`), Tables, Pictures and
+paragraphs (str) in the order of reading. `study.quick` asks for a run of seconds; `study.track` draws a bar.
+"""
+
+import os
+import platform
+import time
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from game.study import exact, hard, paper, physics, schedules, trade
+from game.study.console import Desk
+from game.study.report import DISAGREES, Report, Section
+from game.study.writers import write
+
+PARTS = {
+    "exact": exact,
+    "paper": paper,
+    "trade": trade,
+    "schedules": schedules,
+    "hard": hard,
+    "physics": physics,
+}  # in the order of reading
+
+
+@dataclass
+class Study:
+    """What a part may ask while it runs."""
+
+    quick: bool
+    desk: Desk = field(default_factory=Desk)
+
+    def track(self, items, words, total=None):
+        """Yield from `items` behind a progress bar that says `words`; total: their number, where `len` cannot tell."""
+        return self.desk.track(items, words, total)
+
+    def either(self, quick, full):
+        """Return `quick` in a quick run, else `full`."""
+        return quick if self.quick else full
+
+
+def run(quick=False, folder=Path("study"), parts=tuple(PARTS), desk=None):
+    """Run the parts named, write the report to `folder` and return 1 if a row disagrees, else 0.
+
+    Raises OSError if the folder cannot be written to.
+    """
+    folder.mkdir(parents=True, exist_ok=True)  # before the work: a folder that cannot be made would waste it
+    study = Study(quick, desk or Desk())
+    report = Report(_about(quick))
+    for name in parts:
+        section = run_part(study, name, PARTS[name])
+        study.desk.show(section)
+        report.sections.append(section)
+    path = write(report, folder)
+    counts = ", ".join(f"{count} {verdict}" for verdict, count in report.verdicts.items())
+    study.desk.say(f"{counts}; written to {path}")
+    return 1 if report.verdicts[DISAGREES] else 0
+
+
+def run_part(study, name, part):
+    """Return the Section that a part makes."""
+    section = Section(name, part.TITLE)
+    start = time.perf_counter()
+    with study.desk.at_work(part.TITLE):
+        section.items.extend(part.run(study))
+    section.seconds = time.perf_counter() - start
+    return section
+
+
+def _about(quick):
+    return {
+        "run": "quick" if quick else "full",
+        "processor": f"{platform.machine()}, {os.cpu_count()} cores",
+        "system": platform.system(),
+        "Python": platform.python_version(),
+        "numpy": np.__version__,
+    }

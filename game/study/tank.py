@@ -1,0 +1,47 @@
+"""The tank: a box of sand over a funnel with a neck, which drains into nothing."""
+
+import numpy as np
+
+from game import Rule, World
+from game.world.measure import flow, grains_above
+
+BELOW = 40  # rows under the neck
+CLEARED = 8  # rows under the neck that keep their sand
+BITE = 24  # iterations between two clearings: a whole number of rounds, and fewer than a grain needs to the ground
+
+
+class Tank:
+    """A World of a full tank of `height` rows over a funnel of 45 degrees that ends in a neck of `neck` cells."""
+
+    def __init__(self, width, height, neck, p, schedule="balanced", seed=1):
+        cone = (width - neck) // 2
+        self.row = height + cone + 1  # first row under the neck
+        self.rule = Rule.with_p(p, schedule)
+        self.neck = neck
+        axis = np.abs(np.arange(width) + 0.5 - width / 2)
+        inner = np.full(self.row + BELOW, width / 2)
+        inner[height : self.row] = neck / 2 + np.arange(cone, -1, -1)
+        walls = axis > inner[:, None]
+        sand = ~walls
+        sand[self.row :] = False
+        self.world = World.from_cells(sand, walls, seed)
+
+    @property
+    def grains(self):
+        """How many grains are above the neck."""
+        return grains_above(self.world, self.row)
+
+    def run(self, bites):
+        """Let it flow for so many bites; return the flow in grains per iteration."""
+        total = 0.0
+        for _ in range(bites):
+            total += flow(self.world, self.rule, BITE, self.row)
+            self._clear()
+        return total / bites
+
+    def _clear(self):
+        """Take away what has left, which would pile up to the neck."""
+        sand, old = self.world.sand, self.world
+        sand[self.row + CLEARED :] = False
+        self.world = World.from_cells(sand, old.walls, old.seed)
+        self.world.iteration = old.iteration
