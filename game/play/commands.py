@@ -21,7 +21,8 @@ class Commands:
     def step(self):
         """Run one iteration and hold time."""
         self.toy.session.paused = True
-        self.toy.session.step()
+        if self.toy.is_there():
+            self.toy.session.step()
 
     def faster(self):
         """Speed time up by half."""
@@ -83,7 +84,8 @@ class Commands:
 
     def save(self):
         """Save the scene as it is now."""
-        self.toy.files.save()
+        if self.toy.is_there():
+            self.toy.files.save()
 
     def open_scenes(self):
         """Show the saved scenes, or close their list."""

@@ -9,7 +9,7 @@ SHIFT = pygame.KMOD_SHIFT
 
 
 class Key(NamedTuple):
-    """A key and the command it gives: the name of a method of `Commands`."""
+    """A key and the command it gives: the name of a method of `Commands`. The help shows those with a label."""
 
     label: str
     codes: tuple
@@ -24,13 +24,13 @@ KEYS = (
     Key("F", (pygame.K_f,), "flip", "turn the glass over"),
     Key("R", (pygame.K_r,), "restart", "start the scene again"),
     Key("C", (pygame.K_c,), "clear", "take all sand away"),
-    Key("+", (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "faster", "faster"),
-    Key("-", (pygame.K_MINUS, pygame.K_KP_MINUS), "slower", "slower"),
-    Key("1", (pygame.K_1, pygame.K_KP1), "take_sand", "paint sand"),
-    Key("2", (pygame.K_2, pygame.K_KP2), "take_wall", "paint walls"),
-    Key("3", (pygame.K_3, pygame.K_KP3), "take_eraser", "erase"),
-    Key("[", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller brush"),
-    Key("]", (pygame.K_RIGHTBRACKET,), "larger_brush", "larger brush"),
+    Key("+ -", (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "faster", "faster, slower"),
+    Key("", (pygame.K_MINUS, pygame.K_KP_MINUS), "slower", ""),
+    Key("1 2 3", (pygame.K_1, pygame.K_KP1), "take_sand", "sand, wall, eraser"),
+    Key("", (pygame.K_2, pygame.K_KP2), "take_wall", ""),
+    Key("", (pygame.K_3, pygame.K_KP3), "take_eraser", ""),
+    Key("[ ]", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller, larger brush"),
+    Key("", (pygame.K_RIGHTBRACKET,), "larger_brush", ""),
     Key("Ctrl+Z", (pygame.K_z,), "undo", "take back the last act", CTRL),
     Key("Ctrl+Y", (pygame.K_y,), "redo", "bring it back", CTRL),
     Key("", (pygame.K_z,), "redo", "", CTRL | SHIFT),

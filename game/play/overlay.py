@@ -17,7 +17,8 @@ def draw_help(surface, theme, area):
     rows = HELP
     columns = 2 if area.width >= 2 * px(COLUMN) + 3 * px(PAD) else 1
     deep = -(-len(rows) // columns)
-    line = min(px(LINE), max(theme.line_height(look.SMALL), (area.height - 4 * px(PAD)) // (deep + 1)))
+    line = min(px(LINE), (area.height - 2 * px(PAD)) // (deep + 1))
+    size_of_text = look.BODY if line > theme.line_height(look.SMALL) else look.SMALL
     size = (
         min(columns * px(COLUMN) + (columns + 1) * px(PAD), area.width),
         min((deep + 1) * line + 2 * px(PAD), area.height),
@@ -33,8 +34,8 @@ def draw_help(surface, theme, area):
     for number, (label, meaning) in enumerate(rows):
         column, row = divmod(number, deep)
         x, y = page.x + px(PAD) + column * (wide + px(PAD)), page.y + px(PAD) + line * (row + 1) - line // 4
-        paint.words(surface, theme, (x, y, px(100), line), label, look.BODY, look.ACCENT, 0)
-        paint.words(surface, theme, (x + px(108), y, wide - px(108), line), meaning, look.BODY, look.TEXT, 0)
+        paint.words(surface, theme, (x, y, px(100), line), label, size_of_text, look.ACCENT, 0)
+        paint.words(surface, theme, (x + px(108), y, wide - px(108), line), meaning, size_of_text, look.TEXT, 0)
 
 
 def draw_splash(surface, theme, what, part):

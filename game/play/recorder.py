@@ -112,7 +112,7 @@ class Recorder:
     def record_past(self):
         """Record the last seconds again, from the timeline."""
         session = self._toy.session
-        if self._share is not None or session.timeline.goal is not None:
+        if self._share is not None or not self._toy.is_there():
             return
         end, speed = session.now, session.clock.speed
         start = max(0, end - round(PAST_S * speed))

@@ -17,6 +17,7 @@ class Stage:
         self.area = pygame.Rect(0, 0, 1, 1)
         self.view = self.turn = None
         self._outline = self._overlay = None  # as last drawn
+        self._bare = True  # nothing of the stage has been drawn yet
 
     def fit(self, shape, area, margin):
         """Show a lattice of `shape` in `area` of the window, with a margin in pixels."""
@@ -32,7 +33,7 @@ class Stage:
         """Draw everything next time."""
         self.window.surface.fill(picture.GROUND, self.area)
         self._painter.forget()
-        self._outline = None
+        self._outline, self._bare = None, True
 
     def start_turn(self, now_s):
         """Let the picture on the stage go round, from now on."""
@@ -66,7 +67,8 @@ class Stage:
         if outline:
             self._draw_outline(outline)
         self._lay_over(overlay)
-        if overlay:
+        bare, self._bare = self._bare, False
+        if overlay or bare:
             return [self.area]
         rects = [pygame.Rect(self.area.left, top, self.area.width, bottom - top) for top, bottom in spans]
         rects += [rect.clip(self.area) for rect in (old, _rect_of(outline)) if rect]

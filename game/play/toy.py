@@ -57,6 +57,7 @@ class Toy:
         self._way_since_s = None  # since when another moment is being computed
         self._hud_drawn = self._bar_drawn = None
         self._pointer = None
+        self._down = set()  # the keys that are held
         self._other_ns = 0  # what the last frame spent on anything but stepping
         self._gather_helpers()
         if p is not None:
@@ -77,7 +78,15 @@ class Toy:
 
     def do(self, action, join=False):
         """Let a player's act happen; `join`: undo takes it back together with the act before."""
-        self.session.do(action, join)
+        if self.is_there():
+            self.session.do(action, join)
+
+    def is_there(self):
+        """Return whether the session is at the moment it should be at; wait a little for that, or say so."""
+        there = self.session.timeline.catch_up(self.SEEK_NS)
+        if not there:
+            self.notices.say("The sand is still being computed.")
+        return there
 
     def refresh(self):
         """Have the stage drawn anew: what lies over the sand looks different."""
@@ -180,13 +189,17 @@ class Toy:
             self.brush.let_go()
         elif event.type == pygame.KEYDOWN:
             command = keys.command(event)
-            if command:
+            if command and (event.key not in self._down or command in keys.REPEATING):
                 getattr(self.commands, command)()
+            self._down.add(event.key)
+        elif event.type == pygame.KEYUP:
+            self._down.discard(event.key)
         elif event.type == pygame.MOUSEWHEEL:
             self.brush.resize(event.y)
         elif event.type == pygame.WINDOWFOCUSLOST:
             self.brush.let_go()
             self.time_bar.hear(event)
+            self._down.clear()
         elif event.type in (pygame.WINDOWEXPOSED, pygame.WINDOWSIZECHANGED):
             self.lay_out_anew()
         elif event.type == pygame.DROPFILE:

@@ -260,6 +260,18 @@ def test_a_journal_that_cannot_be_kept_costs_a_line_and_no_sand(player, own_fold
     assert "cannot keep a journal" in player.toy.notices.text and player.world.grains
 
 
+def test_a_journal_that_breaks_off_costs_a_line_and_no_sand(player):
+    player.toy.recovery.start()
+    player.settle()
+    player.session.journal.abandon()
+    player.session.journal._failed = OSError(28, "No space left on device")
+    player.click(player.pixel(20, 20))
+    player.frame()
+    assert "no space left on device" in player.toy.notices.text and player.world.grains
+    player.wait(5)
+    assert player.session.journal is None
+
+
 def test_leaving_ends_the_journal(player):
     player.toy.recovery.start()
     player.click(player.pixel(20, 20))
@@ -338,3 +350,9 @@ def test_a_still_picture_is_written_once(player):
     player.settle()
     with Image.open(the_file("pictures")) as image:
         assert image.n_frames == 1
+
+
+def test_a_held_key_records_once(player):
+    for _ in range(4):
+        player.press(pygame.K_g)
+    assert player.toy.recorder.going_on
