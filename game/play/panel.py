@@ -156,7 +156,7 @@ class Panel:
         if toy.can_leave_session and ui.button("Back to my sand", tip="Leaves this replay"):
             toy.leave_session()
         tip = "MB for snapshots of the past; with less of them time runs back more slowly, the sand is the same"
-        memory = ui.slider("Memory", knob.MEMORY, session.timeline.memory_mb, log=True, tip=tip)
+        memory = ui.slider("Memory", knob.MEMORY, int(session.timeline.memory_mb), log=True, tip=tip)
         if memory != session.timeline.memory_mb:
             session.timeline.memory_mb = round(memory)
 

@@ -95,7 +95,7 @@ class Painter:
 
     def __init__(self, view, colours=None):
         self.view = view
-        self._columns, self._rows = view.columns, view.rows
+        self._columns, self._rows = view.columns.astype(np.uint32), view.rows
         self._pairs = pairs_of(palette() if colours is None else colours)
         self._shades = shades_of(texture(), layout(*view.shape).words)
         self._world, self._seen = None, 0  # what was drawn last, and its stamp then
