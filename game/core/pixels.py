@@ -66,8 +66,8 @@ def _copy(source, first, target, start, size):
 def draw_cells(planes, stride, words, columns, rows, shades, pairs, pixels, top, left):
     """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
-    columns, rows: uint32 and int32, the lattice column of each pixel column from `left` and the lattice row of each pixel row from
-    `top`. shades: (TEXTURE, 64·words) uint16, those of two neighbours a value. pairs: what `pairs_of` gives.
+    columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the lattice row of each pixel row
+    from `top`. shades: (TEXTURE, 64·words) uint16, those of two neighbours a value. pairs: what `pairs_of` gives.
     """
     bits = np.empty((4, words), np.uint64)
     looks = np.empty(BITS * words, np.uint16)

@@ -11,12 +11,14 @@ from game.world.rule import Rule
 
 SCHEDULE = worlds.GLASS_RULE.schedule
 PAPER_P = 0.5
+AT_RANDOM = np.random.default_rng(worlds.SEED).random(7).round(3)
 RULES = {
     "p = 1": Rule(schedule=SCHEDULE),
     f"p = {PAPER_P}": Rule.with_p(PAPER_P, SCHEDULE),
-    "seven at random": Rule(*np.random.default_rng(worlds.SEED).random(7).round(3), schedule=SCHEDULE),
+    "two topples at random": Rule(*AT_RANDOM[:2], schedule=SCHEDULE),
+    "seven at random": Rule(*AT_RANDOM, schedule=SCHEDULE),
 }
-CERTAIN, TWO, SEVEN = RULES
+CERTAIN, _, TWO, SEVEN = RULES
 WORLDS = {"all moving": worlds.moving, "hourglass, mid-flow": worlds.flowing, "settled": worlds.settled}
 MOVING, FLOWING, SETTLED = WORLDS
 COLUMNS = (
@@ -46,8 +48,9 @@ def scene_table(plan):
     notes = [
         f"{table.size(size)} cells, {plan.batch} iterations in one call, schedule {SCHEDULE}. The hourglass is the "
         f"shipped scene drawn at that size, about {worlds.PASSED:.0%} of its sand below; settled: all of it there.",
-        "Seven at random: every event left to chance, with probabilities "
-        f"{', '.join(map(str, RULES[SEVEN].probabilities))}.",
+        "At random: the events left to chance have probabilities "
+        f"{', '.join(map(str, RULES[SEVEN].probabilities))}, the topples the first two. p = {PAPER_P} takes one random "
+        "bit for a candidate, these take up to 32.",
     ]
     return Table("scene", "3a · What a scene needs: chance and motion", COLUMNS, rows, notes)
 
