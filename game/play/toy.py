@@ -52,7 +52,7 @@ class Toy:
         self.help_open = False
         self.panel_shown = True
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
-        self._size = self._cell_size = None
+        self._size = None
         self._stale = False  # the stage has to be drawn anew
         self._way_since_s = None  # since when another moment is being computed
         self._hud_drawn = self._bar_drawn = None

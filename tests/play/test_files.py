@@ -22,18 +22,6 @@ CTRL = pygame.KMOD_LCTRL
 SHIFT = pygame.KMOD_LSHIFT
 
 
-@pytest.fixture
-def player():
-    yield Player()
-    pygame.display.quit()
-
-
-@pytest.fixture
-def glass():
-    yield Player("hourglass")
-    pygame.display.quit()
-
-
 def save(player):
     player.key(pygame.K_s, mod=CTRL)
     player.settle()

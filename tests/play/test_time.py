@@ -6,22 +6,9 @@ import pytest
 from game.world.action import Flip
 from game.world.scene import load_scene
 from game.world.session import Session
-from tests.play.player import Player
 
 CTRL = pygame.KMOD_LCTRL
 SHIFT = pygame.KMOD_LSHIFT
-
-
-@pytest.fixture
-def player():
-    yield Player()
-    pygame.display.quit()
-
-
-@pytest.fixture
-def glass():
-    yield Player("hourglass")
-    pygame.display.quit()
 
 
 def undo(player):

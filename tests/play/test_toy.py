@@ -8,19 +8,7 @@ from game import Rule
 from game.world.action import SetRule
 from game.world.scene import load_scene
 from game.world.session import Session
-from tests.play.player import FRAME_NS, Player
-
-
-@pytest.fixture
-def player():
-    yield Player()
-    pygame.display.quit()
-
-
-@pytest.fixture
-def glass():
-    yield Player("hourglass")
-    pygame.display.quit()
+from tests.play.player import FRAME_NS
 
 
 def test_sand_appears_where_the_pointer_went_and_the_stroke_has_no_gaps(player):

@@ -5,8 +5,6 @@ import time
 from collections.abc import Callable
 from dataclasses import dataclass
 
-NS_PER_MS = 1e6
-
 
 @dataclass(frozen=True)
 class Candidate:
