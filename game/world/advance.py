@@ -18,8 +18,6 @@ def advance(world, rule, iterations):
     whole number in [0, 2**62].
     """
     iterations = knob.ITERATIONS.check(iterations)
-    offsets = np.array(rule.offsets, np.int64)
-    phase = world.iteration % len(offsets)
     certain, chance, seven = needs(rule)
     where, activity = world.layout, world.activity
     activity.expect(rule.schedule, world.iteration)
@@ -29,7 +27,7 @@ def advance(world, rule, iterations):
         activity.quiet,
         activity.changed,
         activity.stamp,
-        np.roll(offsets, -phase, axis=0),
+        offsets_from(rule.offsets, world.iteration % len(rule.offsets)),
         np.uint64(world.seed),
         np.uint64(world.iteration & _MASK),
         iterations,
@@ -39,6 +37,12 @@ def advance(world, rule, iterations):
     )
     world.iteration += iterations
     activity.iteration = world.iteration
+
+
+@lru_cache(maxsize=64)
+def offsets_from(offsets, phase):
+    """Return a schedule's offsets (x, y) as an array that starts with number `phase`; only to be read."""
+    return np.array(offsets[phase:] + offsets[:phase], np.int64)
 
 
 @lru_cache(maxsize=64)
