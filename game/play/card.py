@@ -20,7 +20,7 @@ class Card:
 
     def lay_out(self, toy, top, events, now_s, mouse_pos):
         """Begin a frame of controls at `top` pixels under the upper edge of the sand; return the events left over."""
-        theme, area = toy.theme, toy.sand_area
+        theme, area = toy.theme, toy.layout.sand
         self.ui.theme = theme
         wide = min(theme.px(self._width), area.width - 2 * theme.px(8))
         high = min(self.ui.focus.scroll.content or theme.px(GUESS), area.height - top)

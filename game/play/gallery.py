@@ -141,7 +141,7 @@ class Gallery:
     def _room(self):
         """Return the rect that the card may take at most."""
         px = self._toy.theme.px
-        return self._toy.sand_area.inflate(-2 * px(MARGIN), -2 * px(MARGIN))
+        return self._toy.layout.sand.inflate(-2 * px(MARGIN), -2 * px(MARGIN))
 
     def _card(self):
         px, card = self._toy.theme.px, self._room()

@@ -3,32 +3,31 @@
 import time
 from functools import cache
 
-import pygame
-
-from game.play import hud, keys, overlay, panel, timebar
+from game.play import hud, panel, timebar
 from game.play.background import Background
 from game.play.commands import Commands
 from game.play.files import Files
 from game.play.gallery import Gallery
+from game.play.hearing import Hearing
+from game.play.layout import Layout
 from game.play.notice import Notices
 from game.play.photo import PhotoCard
 from game.play.question import Question
 from game.play.recorder import Recorder
 from game.play.recovery import Recovery
 from game.play.rewind import Rewind
+from game.play.screen import Screen
 from game.play.stage import Stage
+from game.play.stepping import Stepping
 from game.play.tools import Brush
-from game.play.ui import paint
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
 from game.world import knob, picture
 from game.world.action import Flip, Load, SetRule
 from game.world.rule import Rule
 from game.world.scene import load_scene, scene_title
-from game.world.session import BUDGET_NS, Session
+from game.world.session import Session
 
-LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
-LONG_WAY_S = 0.3  # a way to another moment that takes longer is shown
 MARGIN = 8  # pixels at scale 1 around the sand
 
 
@@ -52,13 +51,7 @@ class Toy:
         self.help_open = False
         self.panel_shown = True
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
-        self._size = None
-        self._stale = False  # the stage has to be drawn anew
-        self._way_since_s = None  # since when another moment is being computed
-        self._hud_drawn = self._bar_drawn = None
-        self._pointer = None
-        self._down = set()  # the keys that are held
-        self._other_ns = 0  # what the last frame spent on anything but stepping
+        self._size = None  # of the window and the lattice, as laid out
         self._gather_helpers()
         if p is not None:
             self.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
@@ -71,8 +64,9 @@ class Toy:
         self.files, self.gallery = Files(self), Gallery(self)
         self.photo, self.question = PhotoCard(self), Question(self)
         self.recorder, self.recovery = Recorder(self), Recovery(self)
-        self._lay_over = self._draw_over  # one object, which the stage knows again
         self.overlays = [self.question, self.gallery, self.photo, self.notices]  # the last one lies on top
+        self.hearing, self.stepping, self.screen = Hearing(self), Stepping(self), Screen(self)
+        self.watchers = [self.recorder]  # what looks at each frame once it is shown, by `look(now_s)`
 
     # --- what the parts ask of it ---
 
@@ -90,7 +84,7 @@ class Toy:
 
     def refresh(self):
         """Have the stage drawn anew: what lies over the sand looks different."""
-        self._stale = True
+        self.screen.stale = True
 
     def lay_out_anew(self):
         """Have everything laid out and drawn anew."""
@@ -155,18 +149,19 @@ class Toy:
         self._fit()
         self.background.hear()
         for event in self._lay_out_panel(self._left_by_overlays(events, now_s, mouse_pos), now_s, mouse_pos):
-            self._hear(event)
+            self.hearing.hear(event)
         for stroke in self.brush.pour():
             self.do(stroke, join=True)
-        self._follow(mouse_pos)
-        stepping_ns = self._step(elapsed_ns, now_s)
+        self.hearing.follow(mouse_pos)
+        self.stepping.step(elapsed_ns, now_s)
         self._tell(now_s)
         self._fit()
-        changed = self._draw(now_s)
+        changed = self.screen.draw(now_s)
         self.window.show(changed)
-        self.recorder.look(now_s)
+        for each in self.watchers:
+            each.look(now_s)
         work_ns = time.perf_counter_ns() - start
-        self._other_ns = work_ns - stepping_ns
+        self.stepping.note(work_ns)
         self.hud.count(work_ns, self.session, now_s)
         return bool(changed)
 
@@ -180,87 +175,7 @@ class Toy:
     def _lay_out_panel(self, events, now_s, mouse_pos):
         if not self.panel_shown:
             return events
-        return self.panel.lay_out(self._panel_area, events, now_s, mouse_pos, self)
-
-    def _hear(self, event):
-        if event.type == pygame.QUIT:
-            self.running = False
-        elif self.rewind.hear(event):
-            self.brush.let_go()
-        elif event.type == pygame.KEYDOWN:
-            command = keys.command(event)
-            if command and (event.key not in self._down or command in keys.REPEATING):
-                getattr(self.commands, command)()
-            self._down.add(event.key)
-        elif event.type == pygame.KEYUP:
-            self._down.discard(event.key)
-        elif event.type == pygame.MOUSEWHEEL:
-            self.brush.resize(event.y)
-        elif event.type == pygame.WINDOWFOCUSLOST:
-            self.brush.let_go()
-            self.time_bar.hear(event)
-            self._down.clear()
-        elif event.type in (pygame.WINDOWEXPOSED, pygame.WINDOWSIZECHANGED):
-            self.lay_out_anew()
-        elif event.type == pygame.DROPFILE:
-            self.files.open(event.file)
-        elif self.help_open and event.type == pygame.MOUSEBUTTONDOWN:
-            self.commands.toggle_help()
-        else:
-            self._hear_pointer(event)
-
-    def _hear_pointer(self, event):
-        """Give an event of the pointer to the brush or the time bar, whichever it is over or held by."""
-        on_sand = event.type == pygame.MOUSEBUTTONDOWN and self.sand_area.collidepoint(event.pos)
-        going_on = self.brush.painting
-        if not going_on and self.time_bar.hear(event):
-            self.brush.let_go()
-        elif going_on or on_sand:
-            for number, stroke in enumerate(self.brush.hear(event, self.stage.view)):
-                self.do(stroke, join=going_on or number > 0)
-
-    def _follow(self, mouse_pos):
-        """Let the brush's outline follow the pointer."""
-        over_sand = mouse_pos is not None and self.sand_area.collidepoint(mouse_pos)
-        self._pointer = mouse_pos if over_sand or self.brush.painting else None
-
-    def _step(self, elapsed_ns, now_s):
-        """Run what is due and return how long that took; while the glass turns, time stands still."""
-        start = time.perf_counter_ns()
-        self.session.timeline.rewinding = self.rewind.held
-        if self.time_bar.held or self.rewind.held:
-            if self.stage.turn:
-                self.stage.end_turn()
-            self._go_to_another_moment(elapsed_ns)
-            return time.perf_counter_ns() - start
-        if self.stage.turn:
-            if not self.stage.turn.over(now_s):
-                return 0
-            self.stage.end_turn()
-        self.session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS))
-        return time.perf_counter_ns() - start
-
-    def _go_to_another_moment(self, elapsed_ns):
-        """Follow the time bar's handle or the rewind."""
-        session, timeline = self.session, self.session.timeline
-        session.due = session.done = 0
-        if self.time_bar.held:
-            goal = self.time_bar.goal(session)
-        else:  # where the last frame did not get, this one goes first
-            goal = self.rewind.goal(session, elapsed_ns) if timeline.goal is None else timeline.goal
-        if goal == timeline.goal:
-            timeline.catch_up(self.SEEK_NS)
-        elif goal != session.now:
-            session.seek(goal, self.SEEK_NS)
-
-    def _half_way(self, now_s):
-        """Return whether the moment that is computed is one on the way, passed too quickly to be worth a look."""
-        if self.session.timeline.goal is None:
-            self._way_since_s = None
-            return False
-        if self._way_since_s is None:
-            self._way_since_s = now_s
-        return now_s - self._way_since_s < LONG_WAY_S
+        return self.panel.lay_out(self.layout.panel, events, now_s, mouse_pos, self)
 
     def _tell(self, now_s):
         """Show what there is to say: trouble with the journal, and lines that come and go."""
@@ -270,78 +185,24 @@ class Toy:
         if self.notices.pass_time(now_s):
             self.refresh()
 
-    # --- drawing ---
-
     def _fit(self):
-        """Work out where everything lies, after the window or the lattice changed its size."""
+        """Lay everything out, after the window or the lattice changed its size."""
         shape, size = self.session.world.shape, self.window.size
         if (size, shape) == self._size:
             return
         self._size = size, shape
         self._scale()
-        self._panel_area = panel.area(self.theme, size)
-        wide = size[0] - (self._panel_area.width if self.panel_shown else 0)
-        bar, line = self.theme.px(timebar.HEIGHT), self.theme.px(hud.HEIGHT)
-        self.sand_area = pygame.Rect(0, 0, wide, size[1] - bar - line)
-        self.time_bar.area = pygame.Rect(0, self.sand_area.bottom, wide, bar)
-        self._hud_area = pygame.Rect(0, size[1] - line, wide, line)
+        self.layout = Layout(self.theme, size, self.panel_shown)
+        self.time_bar.area = self.layout.bar
         self.window.surface.fill(picture.GROUND)
-        self.stage.fit(shape, self.sand_area, self.theme.px(MARGIN))
-        self._hud_drawn = self._bar_drawn = None
-        self.panel.ui.invalidate()
+        self.stage.fit(shape, self.layout.sand, self.theme.px(MARGIN))
+        self.screen.forget()
 
     def _scale(self):
         """Keep the UI scale that was asked for, as far as the window leaves room for it."""
         scale = panel.fitting_scale(self.ui_scale, self.window.size[0])
         if scale != self.theme.scale:
             self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.Theme(scale)
-
-    def _draw(self, now_s):
-        """Draw the parts of the window that differ from what is on it; return their rects."""
-        surface = self.window.surface
-        if self._stale:
-            self.stage.refresh()
-        rects = []
-        if self._stale or not self._half_way(now_s):
-            rects = self.stage.draw(self.session.world, self._outline(), self._overlay(), now_s)
-        self._stale = False
-        bar = self.time_bar.drawing(self.session)
-        if bar != self._bar_drawn:
-            paint.draw(surface, self.theme, bar)
-            self._bar_drawn = bar
-            rects.append(self.time_bar.area)
-        drawing = self.hud.drawing(self._hud_area, self.session, self._said())
-        if drawing != self._hud_drawn:
-            paint.draw(surface, self.theme, drawing)
-            self._hud_drawn = drawing
-            rects.append(self._hud_area)
-        if self.panel_shown and self.panel.ui.end(surface):
-            rects.append(self._panel_area)
-        return rects
-
-    def _said(self):
-        """Return what the HUD is to say first, or ""."""
-        timeline = self.session.timeline
-        if self._way_since_s is not None and timeline.goal:
-            return f"Computing the sand: {100 * timeline.moment.now // timeline.goal} %"
-        return self.recorder.said or ("Time runs back" if self.rewind.held else "")
-
-    def _overlay(self):
-        """Return what draws over the sand now, or None."""
-        return self._lay_over if self.help_open or any(each.shown for each in self.overlays) else None
-
-    def _draw_over(self, surface):
-        if self.help_open:
-            overlay.draw_help(surface, self.theme, self.sand_area)
-        for each in self.overlays:
-            if each.shown:
-                each.draw(surface, self.theme, self.sand_area)
-
-    def _outline(self):
-        """Return the brush's outline (x, y, radius) in pixels where the pointer is over the sand, or None."""
-        if self._pointer is None or self.stage.turn or self.help_open or self.gallery.shown or self.photo.shown:
-            return None
-        return self.brush.outline(self.stage.view.place(*self._pointer), self.stage.view)
 
     @cache  # noqa: B019 - there is one toy, and scene files do not change under it
     def title_of(self, name):

@@ -202,9 +202,8 @@ def test_resizing_the_window_does_not_touch_the_sand(glass):
         glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
         view = glass.toy.stage.view
         assert view.left >= 0 and view.top >= 0
-        assert (
-            view.left + view.width <= glass.toy.sand_area.right and view.top + view.height <= glass.toy.sand_area.bottom
-        )
+        area = glass.toy.layout.sand
+        assert view.left + view.width <= area.right and view.top + view.height <= area.bottom
     assert glass.world.digest() == before
 
 
@@ -235,13 +234,13 @@ def test_the_window_and_the_bare_session_move_the_same_sand(glass):
 
 
 def test_the_panel_can_be_hidden(glass):
-    wide = glass.toy.sand_area.width
+    wide = glass.toy.layout.sand.width
     glass.key(pygame.K_p, "p")
-    assert glass.toy.sand_area.width == 900 > wide
+    assert glass.toy.layout.sand.width == 900 > wide
     glass.click((850, 300))
     assert glass.toy.running
     glass.key(pygame.K_p, "p")
-    assert glass.toy.sand_area.width == wide
+    assert glass.toy.layout.sand.width == wide
 
 
 def test_closing_the_window_ends_the_loop(glass):
@@ -262,7 +261,7 @@ def test_nothing_of_the_outline_stays_behind(glass):
     glass.toy.stage.refresh()
     glass.frame()
     fresh = pygame.surfarray.array2d(glass.toy.window.surface)
-    area = glass.toy.sand_area
+    area = glass.toy.layout.sand
     assert (shown[: area.width, : area.height] == fresh[: area.width, : area.height]).all()
 
 
@@ -273,6 +272,6 @@ def test_the_help_page_leaves_no_trace(glass):
     glass.key(pygame.K_F1)
     assert (pygame.surfarray.array2d(glass.toy.window.surface) != before).any()
     glass.key(pygame.K_F1)
-    area = glass.toy.sand_area
+    area = glass.toy.layout.sand
     after = pygame.surfarray.array2d(glass.toy.window.surface)
     assert (after[: area.width, : area.height] == before[: area.width, : area.height]).all()

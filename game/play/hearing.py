@@ -1,0 +1,60 @@
+"""Hearing: where an event goes that neither the panel nor anything laid over the sand has taken."""
+
+import pygame
+
+from game.play import keys
+
+
+class Hearing:
+    """Gives events to the keys' commands, the brush and the time bar, and knows where the pointer is."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self.first = [toy.rewind]  # what hears before the keys do: `hear(event)` says whether the event was its own
+        self.pointer = None  # (x, y) in pixels, while it is over the sand or paints
+        self._down = set()  # the keys that are held
+
+    def hear(self, event):
+        """Let the part that an event is meant for act on it."""
+        toy = self._toy
+        if event.type == pygame.QUIT:
+            toy.running = False
+        elif any(each.hear(event) for each in self.first):
+            toy.brush.let_go()
+        elif event.type == pygame.KEYDOWN:
+            command = keys.command(event)
+            if command and (event.key not in self._down or command in keys.REPEATING):
+                getattr(toy.commands, command)()
+            self._down.add(event.key)
+        elif event.type == pygame.KEYUP:
+            self._down.discard(event.key)
+        elif event.type == pygame.MOUSEWHEEL:
+            toy.brush.resize(event.y)
+        elif event.type == pygame.WINDOWFOCUSLOST:
+            toy.brush.let_go()
+            toy.time_bar.hear(event)
+            self._down.clear()
+        elif event.type in (pygame.WINDOWEXPOSED, pygame.WINDOWSIZECHANGED):
+            toy.lay_out_anew()
+        elif event.type == pygame.DROPFILE:
+            toy.files.open(event.file)
+        elif toy.help_open and event.type == pygame.MOUSEBUTTONDOWN:
+            toy.commands.toggle_help()
+        else:
+            self._hear_pointer(event)
+
+    def follow(self, mouse_pos):
+        """Note where the pointer is in this frame."""
+        over_sand = mouse_pos is not None and self._toy.layout.sand.collidepoint(mouse_pos)
+        self.pointer = mouse_pos if over_sand or self._toy.brush.painting else None
+
+    def _hear_pointer(self, event):
+        """Give an event of the pointer to the brush or the time bar, whichever it is over or held by."""
+        toy = self._toy
+        on_sand = event.type == pygame.MOUSEBUTTONDOWN and toy.layout.sand.collidepoint(event.pos)
+        going_on = toy.brush.painting
+        if not going_on and toy.time_bar.hear(event):
+            toy.brush.let_go()
+        elif going_on or on_sand:
+            for number, stroke in enumerate(toy.brush.hear(event, toy.stage.view)):
+                toy.do(stroke, join=going_on or number > 0)

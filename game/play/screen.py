@@ -1,0 +1,69 @@
+"""The screen: what is on the window, drawn anew only where it differs from what should be there."""
+
+from game.play import overlay
+from game.play.ui import paint
+
+
+class Screen:
+    """Draws the stage, the time bar, the HUD and the panel, and what is laid over the sand."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self.stale = False  # the stage has to be drawn anew
+        self._hud_drawn = self._bar_drawn = None
+        self._lay_over = self._draw_over  # one object, which the stage knows again
+
+    def forget(self):
+        """Draw the lines under the sand and the panel anew next time."""
+        self._hud_drawn = self._bar_drawn = None
+        self._toy.panel.ui.invalidate()
+
+    def draw(self, now_s):
+        """Draw the parts of the window that differ from what is on it; return their rects."""
+        toy, layout, surface = self._toy, self._toy.layout, self._toy.window.surface
+        if self.stale:
+            toy.stage.refresh()
+        rects = []
+        if self.stale or not toy.stepping.passing(now_s):
+            rects = toy.stage.draw(toy.session.world, self._outline(), self._overlay(), now_s)
+        self.stale = False
+        bar = toy.time_bar.drawing(toy.session)
+        if bar != self._bar_drawn:
+            paint.draw(surface, toy.theme, bar)
+            self._bar_drawn = bar
+            rects.append(layout.bar)
+        line = toy.hud.drawing(layout.hud, toy.session, self._said())
+        if line != self._hud_drawn:
+            paint.draw(surface, toy.theme, line)
+            self._hud_drawn = line
+            rects.append(layout.hud)
+        if toy.panel_shown and toy.panel.ui.end(surface):
+            rects.append(layout.panel)
+        return rects
+
+    def _said(self):
+        """Return what the HUD is to say first, or ""."""
+        toy, timeline = self._toy, self._toy.session.timeline
+        if toy.stepping.on_the_way:
+            return f"Computing the sand: {100 * timeline.moment.now // timeline.goal} %"
+        return toy.recorder.said or ("Time runs back" if toy.rewind.held else "")
+
+    def _overlay(self):
+        """Return what draws over the sand now, or None."""
+        toy = self._toy
+        return self._lay_over if toy.help_open or any(each.shown for each in toy.overlays) else None
+
+    def _draw_over(self, surface):
+        toy, area = self._toy, self._toy.layout.sand
+        if toy.help_open:
+            overlay.draw_help(surface, toy.theme, area)
+        for each in toy.overlays:
+            if each.shown:
+                each.draw(surface, toy.theme, area)
+
+    def _outline(self):
+        """Return the brush's outline (x, y, radius) in pixels where the pointer is over the sand, or None."""
+        toy, pointer = self._toy, self._toy.hearing.pointer
+        if pointer is None or toy.stage.turn or toy.help_open or toy.gallery.shown or toy.photo.shown:
+            return None
+        return toy.brush.outline(toy.stage.view.place(*pointer), toy.stage.view)
