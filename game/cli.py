@@ -74,9 +74,7 @@ def _play_parser():
     parser.add_argument("--replay", metavar="FILE", help="play a recorded session")
     parser.add_argument("--cell", type=_setting(knob.CELL), metavar="PX", help=f"{knob.CELL.meaning}, in pixels")
     parser.add_argument("--fullscreen", action="store_true", help="start in full screen")
-    parser.add_argument(
-        "--ui-scale", type=_setting(knob.UI_SCALE), default=knob.UI_SCALE.default, help=knob.UI_SCALE.meaning
-    )
+    parser.add_argument("--ui-scale", type=_setting(knob.UI_SCALE), help=knob.UI_SCALE.meaning)
     return parser
 
 
@@ -185,13 +183,27 @@ def _refuse(words):
     return 2
 
 
+def _settings(flags):
+    """Return the user's settings, with the flags that were given over them; say in one line what is wrong with them."""
+    from game.world.settings import Settings
+
+    settings = Settings.of_user()
+    if settings.problem:
+        print(f"sandglass: {settings.problem}", file=sys.stderr)
+    for name, value in flags.items():
+        if value is not None:
+            settings.override(name, value)
+    return settings
+
+
 def _play(options):
     recording = None if options.replay is None else _load_replay(options)
     scene = recording.scene if recording else _load(options)
     from game.play import loop
 
+    settings = _settings({"ui_scale": options.ui_scale})
     try:
-        return loop.play(scene, options.seed, options.p, options.cell, options.fullscreen, options.ui_scale, recording)
+        return loop.play(scene, settings, options.seed, options.p, options.cell, options.fullscreen, recording)
     except loop.NoDisplayError as error:
         print(f"sandglass: no display to open a window on ({error}); running headless instead")
         if recording:

@@ -17,14 +17,16 @@ FRAMES_PER_SECOND = 60
 MARGIN = 16  # pixels around the sand in a new window
 
 
-def play(scene, seed=0, p=None, cell=None, fullscreen=False, ui_scale=1.0, recording=None):
+def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording=None):
     """Play `scene`, or a Recording, in a window until the player quits; raise NoDisplayError if none can be opened."""
     pygame.font.init()
-    theme = Theme(ui_scale)
-    window = Window(window_size(scene, cell or scene.cell, theme), fullscreen)
+    theme = Theme(settings["ui_scale"])
+    remembered = settings["window_width"], settings["window_height"]
+    size = remembered if all(remembered) and not cell else window_size(scene, cell or scene.cell, theme)
+    window = Window(size, fullscreen)
     if not _make_ready(window, theme, prepare.steps(scene.rule)):
         return 0
-    toy = Toy(window, scene, seed, p, ui_scale)
+    toy = Toy(window, scene, seed, p, settings)
     threading.Thread(target=_do_all, args=(prepare.later_steps(scene.rule),), daemon=True).start()
     toy.recovery.start()
     if recording:

@@ -19,6 +19,7 @@ from game.play.window import Window
 from game.world.advance import advance
 from game.world.prepare import steps
 from game.world.scene import load_scene
+from game.world.settings import Settings
 
 FRAME_NS = 10**9 // loop.FRAMES_PER_SECOND
 WARM_UP = 5  # frames before the count: the first ones draw everything and fill caches of rendered text
@@ -119,7 +120,7 @@ def start_up(since_ns):
     _after(Toy, "frame", lambda toy: (mark("playing"), setattr(toy, "running", False)))
     driver = []
     _after(Toy, "frame", lambda *_: driver.append(pygame.display.get_driver()))
-    loop.play(load_scene("hourglass"))
+    loop.play(load_scene("hourglass"), Settings())
     return {"marks_s": marks, "driver": driver[0]}
 
 

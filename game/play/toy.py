@@ -9,6 +9,7 @@ from game.play.commands import Commands
 from game.play.files import Files
 from game.play.gallery import Gallery
 from game.play.hearing import Hearing
+from game.play.keeper import Keeper
 from game.play.layout import Layout
 from game.play.notice import Notices
 from game.play.photo import PhotoCard
@@ -22,11 +23,12 @@ from game.play.stepping import Stepping
 from game.play.tools import Brush
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
-from game.world import knob, picture
+from game.world import picture
 from game.world.action import Flip, Load, SetRule
 from game.world.rule import Rule
 from game.world.scene import load_scene, scene_title
 from game.world.session import Session
+from game.world.settings import Settings
 
 MARGIN = 8  # pixels at scale 1 around the sand
 
@@ -36,13 +38,13 @@ class Toy:
 
     SEEK_NS = 30_000_000  # a frame may take this long on the way to another moment: more than two snapshots are apart
 
-    def __init__(self, window, scene, seed=0, p=None, ui_scale=knob.UI_SCALE.default):
+    def __init__(self, window, scene, seed=0, p=None, settings=None):
         self.window = window
+        self.settings = settings or Settings()
         self.stage = Stage(window)
         self.session = Session(scene, seed)
         self._former = []  # the sessions that others were opened over
-        self.ui_scale = ui_scale
-        self.theme = look.Theme(ui_scale)
+        self.theme = look.Theme(self.settings["ui_scale"])
         self.brush = Brush()
         self.commands = Commands(self)
         self.panel = panel.Panel(Ui(self.theme))
@@ -63,10 +65,10 @@ class Toy:
         self.time_bar = timebar.TimeBar(self.theme)
         self.files, self.gallery = Files(self), Gallery(self)
         self.photo, self.question = PhotoCard(self), Question(self)
-        self.recorder, self.recovery = Recorder(self), Recovery(self)
+        self.recorder, self.recovery, self.keeper = Recorder(self), Recovery(self), Keeper(self)
         self.overlays = [self.question, self.gallery, self.photo, self.notices]  # the last one lies on top
         self.hearing, self.stepping, self.screen = Hearing(self), Stepping(self), Screen(self)
-        self.watchers = [self.recorder]  # what looks at each frame once it is shown, by `look(now_s)`
+        self.watchers = [self.recorder, self.keeper]  # what looks at each frame once it is shown, by `look(now_s)`
 
     # --- what the parts ask of it ---
 
@@ -133,6 +135,7 @@ class Toy:
         self.recorder.stop()
         for session in (*self._former, self.session):
             self.recovery.close(session)
+        self.keeper.close()
         self.background.finish()
 
     def _take(self, session):
@@ -200,7 +203,7 @@ class Toy:
 
     def _scale(self):
         """Keep the UI scale that was asked for, as far as the window leaves room for it."""
-        scale = panel.fitting_scale(self.ui_scale, self.window.size[0])
+        scale = panel.fitting_scale(self.settings["ui_scale"], self.window.size[0])
         if scale != self.theme.scale:
             self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.Theme(scale)
 

@@ -5,7 +5,7 @@ import re
 from datetime import datetime
 from pathlib import Path
 
-from platformdirs import user_data_dir
+from platformdirs import user_config_dir, user_data_dir
 
 from game.world.saving import trouble
 
@@ -16,6 +16,12 @@ def folder_of(kind):
     """Return the folder of the user's files of a kind: in $SANDGLASS_DATA_DIR, or where the system keeps such data."""
     home = os.environ.get("SANDGLASS_DATA_DIR") or user_data_dir("sandglass", appauthor=False)
     return Path(home) / kind
+
+
+def config_file():
+    """Return the path of the settings: in $SANDGLASS_CONFIG_DIR, or where the system keeps such files."""
+    home = os.environ.get("SANDGLASS_CONFIG_DIR") or user_config_dir("sandglass", appauthor=False)
+    return Path(home) / "settings.toml"
 
 
 def new_file(kind, name, suffix):

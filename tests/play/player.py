@@ -14,8 +14,8 @@ FRAME_NS = 16_666_667
 class Player:
     """Hands that press keys and buttons, and a clock that ticks as told."""
 
-    def __init__(self, scene="blank", size=(900, 700)):
-        self.toy = Toy(Window(size), load_scene(scene, (120, 90) if scene == "blank" else None))
+    def __init__(self, scene="blank", size=(900, 700), settings=None):
+        self.toy = Toy(Window(size), load_scene(scene, (120, 90) if scene == "blank" else None), settings=settings)
         self.now_s, self.pointer = 100.0, None
         self.wait(0)
 

@@ -1,0 +1,114 @@
+"""Settings: what is remembered from one start to the next, in one readable file in the user's config folder.
+
+To add one, add a row to ROWS: a Knob, Switch, Choice or Names with a name, a default and a meaning. Then
+
+    toy.settings["theme"]                # the value, checked
+    toy.settings["theme"] = "night"      # raises ValueError for one that is not allowed; saved a second later
+    toy.settings.override("theme", ...)  # for a flag of the command line: holds for this run, is not saved
+
+and nothing else is to be done: the file, its comments, what is said of a bad line, and keeping it are the same for all.
+"""
+
+import time
+
+from game.world import knob
+from game.world.knob import Knob
+from game.world.locking import lock
+from game.world.option import Choice, Names, Switch
+from game.world.places import config_file
+from game.world.saving import FileError, load, save, trouble
+from game.world.settings_file import Kept, read_lines, written
+
+ROWS = (
+    Knob("ui_scale", knob.UI_SCALE.default, knob.UI_SCALE.low, knob.UI_SCALE.high, "", knob.UI_SCALE.meaning),
+    Choice("theme", "day", ("day", "night", "high-contrast"), "colours of the window and the sand"),
+    Switch("smooth_streams", True, "draw falling sand as the mean of what happens within a frame"),
+    Switch("reduced_motion", False, "leave out turns, glows and fades"),
+    Switch("sound", False, "the hiss of flowing sand"),
+    Knob("volume", 0.5, 0.0, 1.0, "", "how loud it is"),
+    Names("hints_seen", "hints that were shown and are not shown again"),
+    Knob("window_width", 0, 0, 16384, "pixels", "width of the window; 0 is as wide as the scene", whole=True),
+    Knob("window_height", 0, 0, 16384, "pixels", "height of the window; 0 is as high as the scene", whole=True),
+    Knob("brush", knob.BRUSH.default, knob.BRUSH.low, knob.BRUSH.high, "cells", knob.BRUSH.meaning, whole=True),
+    Knob("memory", knob.MEMORY.default, knob.MEMORY.low, knob.MEMORY.high, "MB", knob.MEMORY.meaning, whole=True),
+)
+LARGEST_FILE = 2**20  # bytes
+LOCK_TRIES, LOCK_S = 50, 0.02  # how often and how long a file that another window writes is waited for
+
+
+class Settings:
+    """The values by name. Without a path they are the defaults, and are kept nowhere."""
+
+    def __init__(self, path=None, rows=ROWS):
+        self.path = path
+        self.problem = None  # what is wrong with the file, as one line, or None
+        self.rows = {row.name: row for row in rows}
+        self._values = {}  # those that are not left at their defaults
+        self._overrides = {}
+        self._unsaved = {}
+        if path is not None:
+            self._read()
+
+    @classmethod
+    def of_user(cls):
+        """Return the settings in the user's config folder."""
+        return cls(config_file())
+
+    def __getitem__(self, name):
+        return self._overrides.get(name, self._values.get(name, self.rows[name].default))
+
+    def __setitem__(self, name, value):
+        value = self.rows[name].check(value)
+        if value != self[name]:
+            self._overrides.pop(name, None)
+            self._values[name] = self._unsaved[name] = value
+
+    def override(self, name, value):
+        """Let a value hold for this run: until it is changed, and without being saved."""
+        self._overrides[name] = self.rows[name].check(value)
+
+    @property
+    def unsaved(self):
+        """Whether anything was changed and is not on its way to the file."""
+        return bool(self._unsaved) and self.path is not None
+
+    def take_unsaved(self):
+        """Return a function that saves what was changed, in any thread; it raises FileError if that is not possible."""
+        changed, self._unsaved = self._unsaved, {}
+        return lambda: self._save(changed)
+
+    def _read(self):
+        try:
+            kept = self._kept()
+        except FileError as error:
+            self.problem = f"{error}; the default settings are used"
+            return
+        self._values = kept.values
+        if kept.problems:
+            more = len(kept.problems) - 1
+            also = f"; {more} more like it" if more else ""
+            self.problem = f"{self.path}: {kept.problems[0]}{also}; the default is used"
+
+    def _kept(self):
+        """Return what the file holds now; raise FileError if it cannot be read."""
+        return read_lines(load(self.path, LARGEST_FILE), self.rows) if self.path.exists() else Kept()
+
+    def _save(self, changed):
+        """Put what was changed into the file, in which another window may have changed something else meanwhile."""
+        try:
+            self.path.parent.mkdir(parents=True, exist_ok=True)
+            with open(self.path.with_name(f".{self.path.name}.lock"), "ab") as guard:
+                _wait_for(guard)
+                kept = self._kept()
+                kept.values.update(changed)
+                save(self.path, written(kept, self.rows.values()))
+        except OSError as error:
+            raise trouble(self.path, "cannot save", error) from None
+
+
+def _wait_for(guard):
+    """Wait until no other window holds the file, but not for ever: each save is whole in any case."""
+    for _ in range(LOCK_TRIES):
+        if lock(guard.fileno()):
+            return
+        time.sleep(LOCK_S)

@@ -1,0 +1,62 @@
+"""Laws of keeping: what is set in the window is found again at the next start, and no frame waits for it."""
+
+import pygame
+import pytest
+
+from game.world.places import config_file
+from game.world.settings import Settings
+from tests.play.player import Player
+
+
+@pytest.fixture
+def remembering():
+    """Return a function that starts a Player with the user's settings."""
+    yield lambda: Player(settings=Settings.of_user())
+    pygame.display.quit()
+
+
+def test_a_change_is_saved_a_moment_later(remembering):
+    player = remembering()
+    player.toy.brush.resize(5)
+    player.toy.settings["theme"] = "night"
+    player.wait(30)
+    assert not config_file().exists()
+    player.wait(40)
+    player.settle()
+    again = remembering()
+    assert again.toy.brush.diameter == player.toy.brush.diameter != Settings()["brush"]
+    assert again.toy.settings["theme"] == "night"
+
+
+def test_the_size_of_the_window_is_remembered_once_it_was_changed(remembering):
+    player = remembering()
+    pygame.display.set_mode((800, 640), pygame.RESIZABLE, 32)
+    player.frame()
+    player.toy.close()
+    assert [Settings.of_user()[f"window_{side}"] for side in ("width", "height")] == [800, 640]
+
+
+def test_what_changed_last_is_saved_at_the_end(remembering):
+    player = remembering()
+    player.toy.session.timeline.memory_mb = 99
+    player.frame()
+    player.toy.close()
+    assert remembering().session.timeline.memory_mb == 99
+
+
+def test_a_bad_line_is_shown_in_the_window(remembering):
+    config_file().parent.mkdir()
+    config_file().write_text("theme = 3\n")
+    assert "line 1: theme: found 3" in remembering().toy.notices.text
+
+
+def test_a_folder_that_cannot_be_made_is_told_once_and_the_sand_goes_on(remembering):
+    config_file().parent.write_text("in the way")
+    player = remembering()
+    player.toy.brush.resize(5)
+    player.wait(70)
+    player.settle()
+    assert "cannot save" in player.toy.notices.text
+    before = player.world.iteration
+    player.wait(10)
+    assert player.world.iteration > before
