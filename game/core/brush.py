@@ -1,13 +1,12 @@
-"""Strokes on planes: cells near a line become sand, wall or empty."""
+"""Strokes on planes: cells near a line take ink."""
 
 import numpy as np
 
+from game.core.ink import put
 from game.core.jit import gate, kernel
-from game.core.planes import SAND, SHIFTED_WALLS, WALLS
 
-ERASE, PAINT_SAND, PAINT_WALL = range(3)
-
-_ONE = np.uint64(1)
+ROUND, SQUARE, DIAMOND = range(3)  # shapes of a brush
+TIE = 1e-9  # cells: a middle this near to the edge lies on it
 
 
 @gate
@@ -22,47 +21,44 @@ def _distance_squared(x, y, x0, y0, x1, y1):
 
 
 @gate
-def _set(plane, at, bit, on):
-    plane[at] = plane[at] | bit if on else plane[at] & ~bit
+def _while_near(away, along, radius):
+    """Return (from, to), the parts of a line `along` one axis at which a point `away` from its start is within reach.
+
+    to < from where it never is.
+    """
+    if along == 0.0:
+        return (0.0, 1.0) if abs(away) <= radius else (1.0, 0.0)
+    one, other = (away - radius) / along, (away + radius) / along
+    return max(min(one, other), 0.0), min(max(one, other), 1.0)
 
 
 @gate
-def _set_wall(planes, plane, start, word, words, bit, on):
-    """Set a wall's bit, and in even columns its copy for odd x."""
-    _set(planes[WALLS + plane], start + word, bit, on)
-    if plane & 1:
-        return
-    copy = planes[SHIFTED_WALLS + (plane >> 1)]
-    if word:
-        _set(copy, start + word, bit, on)
-    elif bit > _ONE:
-        _set(copy, start + words, bit >> _ONE, on)
+def _in_square(x, y, x0, y0, x1, y1, radius):
+    """Return whether a point is in the square of half width `radius` that moves from (x0, y0) to (x1, y1)."""
+    from_x, to_x = _while_near(x - x0, x1 - x0, radius)
+    from_y, to_y = _while_near(y - y0, y1 - y0, radius)
+    return max(from_x, from_y) <= min(to_x, to_y) + TIE
+
+
+@gate
+def _reached(shape, x, y, x0, y0, x1, y1, radius):
+    """Return whether a brush that moves from (x0, y0) to (x1, y1) comes over a point."""
+    if shape == SQUARE:
+        return _in_square(x, y, x0, y0, x1, y1, radius + TIE)
+    if shape == DIAMOND:  # a square in axes turned by 45 degrees
+        return _in_square(x + y, x - y, x0 + y0, x0 - y0, x1 + y1, x1 - y1, radius + TIE)
+    return _distance_squared(x, y, x0, y0, x1, y1) <= radius * radius + TIE
 
 
 @kernel
-def stroke(planes, height, width, words, x0, y0, x1, y1, radius, material, over_walls):
-    """Paint the cells whose middle is within `radius` of the line from (x0, y0) to (x1, y1), in place.
+def stroke(planes, height, width, words, x0, y0, x1, y1, radius, shape, ink):
+    """Let the cells take `ink` whose middle a brush comes over from (x0, y0) to (x1, y1), in place.
 
-    Lengths are in cells. Sand leaves walls standing unless `over_walls`. Return the change in grains.
+    Lengths are in cells; radius: half the brush's width. Return the change in grains.
     """
-    painted = 0
-    reach = radius * radius + 1e-9
+    change = 0
     for y in range(max(0, int(np.floor(min(y0, y1) - radius))), min(height, int(np.ceil(max(y0, y1) + radius)) + 1)):
         for x in range(max(0, int(np.floor(min(x0, x1) - radius))), min(width, int(np.ceil(max(x0, x1) + radius)) + 1)):
-            if _distance_squared(x + 0.5, y + 0.5, x0, y0, x1, y1) > reach:
-                continue
-            plane = 2 * (y & 1) + (x & 1)
-            lane = (x >> 1) // words
-            word = (x >> 1) - lane * words
-            start = (y >> 1) * (words + 1)
-            at = start + word
-            bit = _ONE << np.uint64(lane)
-            was_sand = (planes[SAND + plane, at] & bit) != 0
-            is_wall = (planes[WALLS + plane, at] & bit) != 0
-            if material == PAINT_SAND and is_wall and not over_walls:
-                continue
-            is_sand = material == PAINT_SAND
-            _set(planes[SAND + plane], at, bit, is_sand)
-            _set_wall(planes, plane, start, word, words, bit, material == PAINT_WALL)
-            painted += int(is_sand) - int(was_sand)
-    return painted
+            if _reached(shape, x + 0.5, y + 0.5, x0, y0, x1, y1, radius):
+                change += put(planes, words, x, y, ink)
+    return change

@@ -3,7 +3,7 @@
 import numpy as np
 
 from game.core.pixels import draw_turned
-from game.world.action import Paint, apply
+from game.world.action import Draw, Fill, Paint, apply
 from game.world.advance import advance
 from game.world.picture import Painter, View
 from game.world.rule import Rule
@@ -29,7 +29,7 @@ def steps(rule):
 def later_steps(rule):
     """Return [(what, act)] for the kernels that a player may need next."""
     others = [(what, other) for what, other in KINDS.items() if what != _kind_of(rule)]
-    return [("the turn of the glass", _turn)] + [
+    return [("the turn of the glass", _turn), ("the figures", _figures)] + [
         (what, lambda other=other: advance(_dot(), other, 1)) for what, other in others
     ]
 
@@ -46,6 +46,11 @@ def _draw():
 def _turn():
     picture = np.zeros((2, 2), np.uint32)
     draw_turned(picture, np.uint32(0), 1.0, 0.0, picture.copy(), 0, 0, 2, 2)
+
+
+def _figures():
+    for act in (Draw("ellipse", "sand", (0.5, 0.5), (1.5, 1.5)), Fill("sand", (0.5, 0.5))):
+        apply(act, _dot(), Rule())
 
 
 def _kind_of(rule):

@@ -3,14 +3,17 @@
 from itertools import pairwise
 
 from game.world import knob, scene_record
-from game.world.action import MATERIALS, Clear, Flip, Load, Paint, SetRule, snap
+from game.world.action import FIGURES, KINDS, MATERIALS, SHAPES, Clear, Draw, Fill, Flip, Load, Paint, SetRule, snap
 from game.world.history import REDO, UNDO, WAIT, Entry
 from game.world.knob import Knob
 from game.world.table import Table, shown
 
 PLACE = Knob("place", 0.0, -1e6, 1e6, "cells", "a distance from the left or upper side of the lattice")
 PLAIN = {"flip": Flip, "clear": Clear, UNDO: UNDO, REDO: REDO, WAIT: WAIT}  # entries that say no more
-BRUSH = ("material", "diameter", "over_walls")
+SPRAY = Knob("spray", 0, 0, 2**53, "", "which cells a spray picks; 0 picks all", whole=True)
+EDGE = Knob("edge", 0, 0, knob.BRUSH.high, "cells", "drawn inwards from a figure's outline; 0 draws all", whole=True)
+BRUSH = ("material", "diameter", "over_walls", "shape", "only", "spray")
+FIGURE = ("figure", "material", "from", "to", "edge", "over_walls")
 LONGEST_STROKE = 100_000  # segments
 
 
@@ -21,6 +24,10 @@ def encode(entry, known):
         case Paint() as paint:
             values |= {"do": "paint", **_brush(paint)}
             values |= {"from": _place(paint.start, paint.diameter), "to": _place(paint.end, paint.diameter)}
+        case Draw() as draw:
+            values |= {"do": "draw", **_figure(draw)}
+        case Fill(material, place):
+            values |= {"do": "fill", "material": material, "place": _short(place)}
         case SetRule(rule):
             values |= {"do": "rule", "rule": rule.as_dict()}
         case Load(scene, seed):
@@ -50,15 +57,20 @@ def encode_story(entries, known):
 def decode(table, known):
     """Return the entries, one or more, that a record tells of, a Table; raise SceneError where it is none."""
     at = table.number("at", knob.MOMENT)
-    kind = table.choice("do", ("paint", "stroke", "rule", "load", *PLAIN))
+    kind = table.choice("do", ("paint", "stroke", "draw", "fill", "rule", "load", *PLAIN))
     joined = _flag(table, "join")
     if kind == "stroke":
         return _decode_stroke(table, at, joined)
     if kind == "paint":
         table.allow(("at", "do", "join", *BRUSH, "from", "to"))
         start, end = (_decode_place(table, key) for key in ("from", "to"))
-        material, diameter, over_walls = _decode_brush(table)
-        what = Paint(material, start, end, diameter, over_walls)
+        what = Paint(start=start, end=end, **_decode_brush(table))
+    elif kind == "draw":
+        table.allow(("at", "do", "join", *FIGURE))
+        what = _decode_figure(table)
+    elif kind == "fill":
+        table.allow(("at", "do", "join", "material", "place"))
+        what = Fill(table.choice("material", tuple(MATERIALS)), _decode_place(table, "place"))
     elif kind == "rule":
         table.allow(("at", "do", "join", "rule"))
         what = SetRule(scene_record.decode_rule(table.table("rule")))
@@ -73,12 +85,26 @@ def decode(table, known):
 
 def _brush(paint):
     values = {"material": paint.material, "diameter": paint.diameter}
-    return values | ({"over_walls": True} if paint.over_walls else {})
+    values |= {"over_walls": True} if paint.over_walls else {}
+    values |= {"shape": paint.shape} if paint.shape != Paint.shape else {}
+    values |= {"only": paint.only} if paint.only else {}
+    return values | ({"spray": paint.spray} if paint.spray else {})
+
+
+def _figure(draw):
+    values = {"figure": draw.figure, "material": draw.material}
+    values |= {"from": _short(draw.start), "to": _short(draw.end)}
+    values |= {"edge": draw.edge} if draw.edge else {}
+    return values | ({"over_walls": True} if draw.over_walls else {})
 
 
 def _place(place, diameter):
     """Return a place as short as it can be written: the middle that a brush of that diameter takes there."""
-    return [int(part) if part == int(part) else part for part in snap(place, diameter)]
+    return _short(snap(place, diameter))
+
+
+def _short(place):
+    return [int(part) if part == int(part) else part for part in place]
 
 
 def _continues(before, paint):
@@ -115,8 +141,7 @@ def _decode_stroke(table, at, joined):
         at = at + numbers.number("wait", knob.MOMENT)
         place = numbers.number("x", PLACE), numbers.number("y", PLACE)
         if before:
-            material, diameter, over_walls = brush
-            what = Paint(material, before, place, diameter, over_walls)
+            what = Paint(start=before, end=place, **brush)
             entries.append(Entry(at, what, joined or bool(entries)))
         before = place
     if at > knob.MOMENT.high:
@@ -125,8 +150,25 @@ def _decode_stroke(table, at, joined):
 
 
 def _decode_brush(table):
-    material = table.choice("material", tuple(MATERIALS))
-    return material, table.number("diameter", knob.BRUSH), _flag(table, "over_walls")
+    """Return the fields of a Paint beside its places."""
+    return {
+        "material": table.choice("material", tuple(MATERIALS)),
+        "diameter": table.number("diameter", knob.BRUSH),
+        "over_walls": _flag(table, "over_walls"),
+        "shape": table.choice("shape", tuple(SHAPES), Paint.shape),
+        "only": table.choice("only", tuple(KINDS)) if "only" in table else "",
+        "spray": table.number("spray", SPRAY, SPRAY.default),
+    }
+
+
+def _decode_figure(table):
+    return Draw(
+        table.choice("figure", tuple(FIGURES)),
+        table.choice("material", tuple(MATERIALS)),
+        *(_decode_place(table, key) for key in ("from", "to")),
+        table.number("edge", EDGE, EDGE.default),
+        _flag(table, "over_walls"),
+    )
 
 
 def _decode_place(table, key):

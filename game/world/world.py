@@ -5,8 +5,10 @@ import math
 
 import numpy as np
 
-from game.core import brush
 from game.core import planes as bit_planes
+from game.core.brush import stroke
+from game.core.figures import figure
+from game.core.flood import flood, kind_of
 from game.world import knob
 from game.world.activity import Activity
 
@@ -72,17 +74,40 @@ class World:
         self.planes[bit_planes.SAND : bit_planes.WALLS] = 0
         self.activity.wake()
 
-    def stroke(self, start, end, diameter, material, over_walls=False):
-        """Paint the cells near the line between two places (column, row), in cells; return the change in grains.
+    def stroke(self, start, end, diameter, shape, ink):
+        """Let the cells take `ink` that a brush comes over from a place (column, row) to another; return the change.
 
-        material: `brush.ERASE`, `PAINT_SAND` or `PAINT_WALL`. Sand leaves walls standing unless `over_walls`.
+        diameter: in cells. shape: `ROUND`, `SQUARE` or `DIAMOND` of `core.brush`. The change is in grains.
         """
         where, radius = self.layout, diameter / 2
         rows = start[1], end[1]
         self.activity.wake(math.floor(min(rows) - radius) - 1, math.ceil(max(rows) + radius) + 2)
-        return brush.stroke(
-            self.planes, where.height, where.width, where.words, *start, *end, radius, material, over_walls
-        )
+        return stroke(self.planes, where.height, where.width, where.words, *start, *end, radius, shape, ink)
+
+    def figure(self, kind, box, edge, ink):
+        """Let the cells of a figure take `ink`, or those up to `edge` cells from its outline, 0 for all.
+
+        kind: `RECTANGLE` or `ELLIPSE` of `core.figures`. box: first column and row, then those after the last. Return
+        the change in grains.
+        """
+        where = self.layout
+        self.activity.wake(box[1] - 1, box[3] + 1)
+        return figure(self.planes, where.height, where.width, where.words, kind, *box, edge, ink)
+
+    def fill(self, column, row, ink):
+        """Let a cell take `ink`, and all connected with it through cells of its kind; return the change in grains."""
+        if self.kind_at(column, row) is None:
+            return 0
+        change, top, bottom = flood(self.planes, self.layout, column, row, ink)
+        self.activity.wake(top - 1, bottom + 1)
+        return change
+
+    def kind_at(self, column, row):
+        """Return the kind of a cell, `EMPTY`, `GRAIN` or `WALL` of `core.ink`; None outside of the lattice."""
+        height, width = self.shape
+        if not (0 <= column < width and 0 <= row < height):
+            return None
+        return kind_of(self.planes, self.layout, column, row)
 
     def digest(self):
         """Return 32 hex digits that name everything that decides the future: shape, cells, seed and iteration."""

@@ -4,7 +4,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 from game import Rule, advance
-from game.world.action import Clear, Flip, Load, Paint, SetRule, apply
+from game.world.action import KINDS, MATERIALS, SHAPES, Clear, Draw, Fill, Flip, Load, Paint, SetRule, apply
 from game.world.history import WAIT
 from game.world.rule import SCHEDULES
 from game.world.scene import Scene
@@ -22,10 +22,24 @@ def scene_of(number, height=24, width=30):
 SCENES = [scene_of(0), scene_of(1), scene_of(2, 9, 140)]
 places = st.tuples(st.floats(-4, 34), st.floats(-4, 28))
 chances = st.sampled_from((0.0, 0.25, 0.7, 1.0))
-paints = st.builds(Paint, st.sampled_from(("sand", "wall", "erase")), places, places, st.integers(1, 9), st.booleans())
+materials = st.sampled_from(sorted(MATERIALS))
+paints = st.builds(Paint, materials, places, places, st.integers(1, 9), st.booleans())
+shaped = st.builds(
+    Paint,
+    materials,
+    places,
+    places,
+    st.integers(1, 9),
+    shape=st.sampled_from(sorted(SHAPES)),
+    only=st.sampled_from(("", *KINDS)),
+    spray=st.integers(0, 3),
+)
+draws = st.builds(Draw, st.sampled_from(("rectangle", "ellipse")), materials, places, places, st.integers(0, 3))
+fills = st.builds(Fill, materials, places)
+tools = st.one_of(paints, shaped, draws, fills)
 rules = st.builds(SetRule, st.builds(Rule, *[chances] * 7, st.sampled_from(sorted(SCHEDULES))))
 loads = st.builds(Load, st.sampled_from(SCENES), st.integers(0, 3))
-actions = st.one_of(paints, paints, rules, loads, st.just(Flip()), st.just(Clear()))
+actions = st.one_of(paints, tools, rules, loads, st.just(Flip()), st.just(Clear()))
 commands = st.one_of(
     st.tuples(st.just("run"), st.integers(0, 30)),
     st.tuples(st.just("do"), actions, st.booleans()),

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import Rule, headless, load_scene
-from game.world.action import Clear, Flip, Load, Paint, SetRule, snap
+from game.world.action import Clear, Draw, Fill, Flip, Load, Paint, SetRule, snap
 from game.world.assets import asset
 from game.world.history import Entry
 from game.world.lines import Pen
@@ -39,6 +39,15 @@ def sample():
         session.timeline.run(number % 2)
     acts = [Flip(), SetRule(Rule(0.1, 1 / 3, schedule="margolus")), Clear(), Load(load_scene("paper"), 3)]
     acts += [Load(SCENES[2], 4), Load(SCENES[2], 5), Paint("wall", (5, 5), (9.5, 6), 4, True), Flip()]
+    acts += [
+        Draw("ellipse", "wall", (3, 3), (12.2, 9), 2),
+        Fill("sand", (6.5, 6.5)),
+        Draw("rectangle", "erase", (5, 1), (1, 4)),
+    ]
+    acts += [
+        Paint("sand", (5, 5), (9.5, 6), 4, shape="diamond", only="wall"),
+        Paint("sand", (5, 5), (9, 6), 5, spray=7),
+    ]
     for act in acts:
         session.do(act)
         session.timeline.run(20)

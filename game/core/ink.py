@@ -1,0 +1,66 @@
+"""Ink on planes: what an act leaves in a cell that it reaches, and which cells take it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from game.core.chance import mix
+from game.core.jit import gate
+from game.core.planes import SAND, SHIFTED_WALLS, WALLS
+
+EMPTY, GRAIN, WALL = range(3)  # the kinds of cells, and so the materials that make a cell one of them
+ANY = 0b111  # a set of kinds has bit k for kind k
+SPRAYED = np.uint64(2**64 // 40)  # of 2**64: the chance that a cell takes the ink of one spray
+
+_ONE = np.uint64(1)
+_ROW = np.uint64(2**32)
+
+
+class Ink(NamedTuple):
+    """What an act leaves in the cells that it reaches."""
+
+    material: int  # EMPTY, GRAIN or WALL
+    kinds: int = ANY  # the kinds of cells that take it, as bits
+    spray: int = 0  # 0: all of them take it; else a number that picks a few of them, others for each number
+
+
+@gate
+def _set(plane, at, bit, on):
+    plane[at] = plane[at] | bit if on else plane[at] & ~bit
+
+
+@gate
+def _set_wall(planes, plane, start, word, words, bit, on):
+    """Set a wall's bit, and in even columns its copy for odd x."""
+    _set(planes[WALLS + plane], start + word, bit, on)
+    if plane & 1:
+        return
+    copy = planes[SHIFTED_WALLS + (plane >> 1)]
+    if word:
+        _set(copy, start + word, bit, on)
+    elif bit > _ONE:
+        _set(copy, start + words, bit >> _ONE, on)
+
+
+@gate
+def _sprayed(spray, x, y):
+    """Return whether the cell is one of those that spray number `spray` picks."""
+    return mix(mix(np.uint64(spray)) + np.uint64(y) * _ROW + np.uint64(x)) < SPRAYED
+
+
+@gate
+def put(planes, words, x, y, ink):
+    """Let the cell in column x and row y take the ink, if it is one that does; return the change in grains."""
+    plane = 2 * (y & 1) + (x & 1)
+    lane = (x >> 1) // words
+    word = (x >> 1) - lane * words
+    start = (y >> 1) * (words + 1)
+    at = start + word
+    bit = _ONE << np.uint64(lane)
+    was_sand = (planes[SAND + plane, at] & bit) != 0
+    kind = GRAIN if was_sand else WALL if (planes[WALLS + plane, at] & bit) != 0 else EMPTY
+    if not (ink.kinds >> kind) & 1 or (ink.spray and not _sprayed(ink.spray, x, y)):
+        return 0
+    _set(planes[SAND + plane], at, bit, ink.material == GRAIN)
+    _set_wall(planes, plane, start, word, words, bit, ink.material == WALL)
+    return int(ink.material == GRAIN) - int(was_sand)
