@@ -11,6 +11,7 @@ from game.play.gallery import Gallery
 from game.play.hearing import Hearing
 from game.play.keeper import Keeper
 from game.play.layout import Layout
+from game.play.mixer import Mixer
 from game.play.notice import Notices
 from game.play.photo import PhotoCard
 from game.play.question import Question
@@ -61,6 +62,7 @@ class Toy:
     def _gather_helpers(self):
         self.notices = Notices()
         self.background = Background(lambda error: self.notices.say(error, trouble=True))
+        self.mixer = Mixer(self.background)
         self.rewind = Rewind()
         self.time_bar = timebar.TimeBar(self.theme)
         self.files, self.gallery = Files(self), Gallery(self)
@@ -137,6 +139,7 @@ class Toy:
             self.recovery.close(session)
         self.keeper.close()
         self.background.finish()
+        self.mixer.close()
 
     def _take(self, session):
         session.timeline.memory_mb = self.session.timeline.memory_mb
