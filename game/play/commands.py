@@ -121,12 +121,11 @@ class Commands:
 
     def toggle_help(self):
         """Open or close the page of keys."""
-        self.toy.help_open = not self.toy.help_open
-        self.toy.refresh()
+        self.toy.help.toggle()
 
     def escape(self):
         """Close what is open; with nothing open, quit."""
-        if self.toy.help_open:
+        if self.toy.help.shown:
             self.toggle_help()
         elif self.toy.window.fullscreen:
             self.toggle_fullscreen()

@@ -38,8 +38,6 @@ class Hearing:
             toy.lay_out_anew()
         elif event.type == pygame.DROPFILE:
             toy.files.open(event.file)
-        elif toy.help_open and event.type == pygame.MOUSEBUTTONDOWN:
-            toy.commands.toggle_help()
         else:
             self._hear_pointer(event)
 

@@ -18,41 +18,49 @@ class Key(NamedTuple):
     mods: int = 0  # which of CTRL and SHIFT are to be held with it
 
 
-KEYS = (
-    Key("Space", (pygame.K_SPACE,), "pause", "pause, and go on"),
-    Key(".", (pygame.K_PERIOD,), "step", "one iteration"),
-    Key("F", (pygame.K_f,), "flip", "turn the glass over"),
-    Key("R", (pygame.K_r,), "restart", "start the scene again"),
-    Key("C", (pygame.K_c,), "clear", "take all sand away"),
-    Key("+ -", (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "faster", "faster, slower"),
-    Key("", (pygame.K_MINUS, pygame.K_KP_MINUS), "slower", ""),
-    Key("1 2 3", (pygame.K_1, pygame.K_KP1), "take_sand", "sand, wall, eraser"),
-    Key("", (pygame.K_2, pygame.K_KP2), "take_wall", ""),
-    Key("", (pygame.K_3, pygame.K_KP3), "take_eraser", ""),
-    Key("[ ]", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller, larger brush"),
-    Key("", (pygame.K_RIGHTBRACKET,), "larger_brush", ""),
-    Key("Ctrl+Z", (pygame.K_z,), "undo", "take back the last act", CTRL),
-    Key("Ctrl+Y", (pygame.K_y,), "redo", "bring it back", CTRL),
-    Key("", (pygame.K_z,), "redo", "", CTRL | SHIFT),
-    Key("Ctrl+S", (pygame.K_s,), "save", "save the scene", CTRL),
-    Key("Ctrl+O", (pygame.K_o,), "open_scenes", "open a saved scene", CTRL),
-    Key("F12", (pygame.K_F12,), "shoot_window", "picture of the window"),
-    Key("Shift+F12", (pygame.K_F12,), "shoot_sand", "picture of the sand", SHIFT),
-    Key("G", (pygame.K_g,), "record", "record a GIF, until G again"),
-    Key("Shift+G", (pygame.K_g,), "record_past", "GIF of the last ten seconds", SHIFT),
-    Key("P", (pygame.K_p,), "toggle_panel", "hide or show the panel"),
-    Key("F11", (pygame.K_F11,), "toggle_fullscreen", "full screen"),
-    Key("F1 or ?", (pygame.K_F1, pygame.K_QUESTION), "toggle_help", "this page"),
-    Key("Esc", (pygame.K_ESCAPE,), "escape", "close, leave, quit"),
-)
-OTHER_WAYS = (  # what is no command of a key
-    ("Backspace", "time runs back (Shift: fast)"),
-    ("Left button", "paint with the tool"),
-    ("Right button", "erase"),
-    ("Wheel", "size of the brush"),
-    ("Tab, arrows", "work the panel"),
-)
-HELP = tuple((key.label, key.meaning) for key in KEYS if key.label) + OTHER_WAYS
+GROUPS = {  # what the help shows together; a key without a command is heard elsewhere
+    "Time": (
+        Key("Space", (pygame.K_SPACE,), "pause", "pause, and go on"),
+        Key(".", (pygame.K_PERIOD,), "step", "one iteration"),
+        Key("+ -", (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "faster", "faster, slower"),
+        Key("", (pygame.K_MINUS, pygame.K_KP_MINUS), "slower", ""),
+        Key("Backspace", (), "", "time runs back (Shift: fast)"),
+        Key("Ctrl+Z", (pygame.K_z,), "undo", "take back the last act", CTRL),
+        Key("Ctrl+Y", (pygame.K_y,), "redo", "bring it back", CTRL),
+        Key("", (pygame.K_z,), "redo", "", CTRL | SHIFT),
+    ),
+    "Sand": (
+        Key("F", (pygame.K_f,), "flip", "turn the glass over"),
+        Key("R", (pygame.K_r,), "restart", "start the scene again"),
+        Key("C", (pygame.K_c,), "clear", "take all sand away"),
+    ),
+    "Brush": (
+        Key("Left button", (), "", "paint with the tool"),
+        Key("Right button", (), "", "erase"),
+        Key("Wheel", (), "", "size of the brush"),
+        Key("[ ]", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller, larger brush"),
+        Key("", (pygame.K_RIGHTBRACKET,), "larger_brush", ""),
+        Key("1 2 3", (pygame.K_1, pygame.K_KP1), "take_sand", "sand, wall, eraser"),
+        Key("", (pygame.K_2, pygame.K_KP2), "take_wall", ""),
+        Key("", (pygame.K_3, pygame.K_KP3), "take_eraser", ""),
+    ),
+    "Scenes and pictures": (
+        Key("Ctrl+S", (pygame.K_s,), "save", "save the scene", CTRL),
+        Key("Ctrl+O", (pygame.K_o,), "open_scenes", "open a saved scene", CTRL),
+        Key("F12", (pygame.K_F12,), "shoot_window", "picture of the window"),
+        Key("Shift+F12", (pygame.K_F12,), "shoot_sand", "picture of the sand", SHIFT),
+        Key("G", (pygame.K_g,), "record", "record a GIF, until G again"),
+        Key("Shift+G", (pygame.K_g,), "record_past", "GIF of the last ten seconds", SHIFT),
+    ),
+    "Window": (
+        Key("Tab, arrows", (), "", "work the panel"),
+        Key("P", (pygame.K_p,), "toggle_panel", "hide or show the panel"),
+        Key("F11", (pygame.K_F11,), "toggle_fullscreen", "full screen"),
+        Key("F1 or ?", (pygame.K_F1, pygame.K_QUESTION), "toggle_help", "this page"),
+        Key("Esc", (pygame.K_ESCAPE,), "escape", "close, leave, quit"),
+    ),
+}
+KEYS = tuple(key for keys in GROUPS.values() for key in keys)
 REPEATING = {"step", "faster", "slower", "smaller_brush", "larger_brush", "undo", "redo"}  # again while a key is held
 _COMMANDS = {(code, key.mods): key.command for key in KEYS for code in key.codes}
 _BY_TEXT = {"?": "toggle_help", "+": "faster", "-": "slower", "[": "smaller_brush", "]": "larger_brush", ".": "step"}

@@ -5,7 +5,7 @@ import time
 
 import pygame
 
-from game.play import hud, overlay, panel
+from game.play import hud, panel, splash
 from game.play.toy import Toy
 from game.play.ui.theme import Theme
 from game.play.window import NoDisplayError, Window
@@ -65,7 +65,7 @@ def _make_ready(window, theme, steps):
             return False
         number = min(len(done), len(steps) - 1)
         words = f"Compiling {steps[number][0]} … ({number + 1} of {len(steps)}, once on this machine)"
-        overlay.draw_splash(window.surface, theme, words, number / len(steps))
+        splash.draw_splash(window.surface, theme, words, number / len(steps))
         window.show()
         worker.join(1 / 30)
     return True

@@ -1,6 +1,5 @@
 """The screen: what is on the window, drawn anew only where it differs from what should be there."""
 
-from game.play import overlay
 from game.play.ui import paint
 
 
@@ -21,6 +20,8 @@ class Screen:
     def draw(self, now_s):
         """Draw the parts of the window that differ from what is on it; return their rects."""
         toy, layout, surface = self._toy, self._toy.layout, self._toy.window.surface
+        if toy.help.shown:
+            return toy.help.draw(surface)
         if self.stale:
             toy.stage.refresh()
         rects = []
@@ -51,12 +52,10 @@ class Screen:
     def _overlay(self):
         """Return what draws over the sand now, or None."""
         toy = self._toy
-        return self._lay_over if toy.help_open or any(each.shown for each in toy.overlays) else None
+        return self._lay_over if any(each.shown for each in toy.overlays) else None
 
     def _draw_over(self, surface):
         toy, area = self._toy, self._toy.layout.sand
-        if toy.help_open:
-            overlay.draw_help(surface, toy.theme, area)
         for each in toy.overlays:
             if each.shown:
                 each.draw(surface, toy.theme, area)
@@ -64,6 +63,6 @@ class Screen:
     def _outline(self):
         """Return the brush's outline (x, y, radius) in pixels where the pointer is over the sand, or None."""
         toy, pointer = self._toy, self._toy.hearing.pointer
-        if pointer is None or toy.stage.turn or toy.help_open or toy.gallery.shown or toy.photo.shown:
+        if pointer is None or toy.stage.turn or toy.gallery.shown or toy.photo.shown:
             return None
         return toy.brush.outline(toy.stage.view.place(*pointer), toy.stage.view)

@@ -9,6 +9,7 @@ from game.play.commands import Commands
 from game.play.files import Files
 from game.play.gallery import Gallery
 from game.play.hearing import Hearing
+from game.play.help import Help
 from game.play.keeper import Keeper
 from game.play.layout import Layout
 from game.play.mixer import Mixer
@@ -51,7 +52,6 @@ class Toy:
         self.panel = panel.Panel(Ui(self.theme))
         self.hud = hud.Hud(self.theme)
         self.running = True
-        self.help_open = False
         self.panel_shown = True
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
         self._size = None  # of the window and the lattice, as laid out
@@ -66,6 +66,7 @@ class Toy:
         self.rewind = Rewind()
         self.time_bar = timebar.TimeBar(self.theme)
         self.files, self.gallery = Files(self), Gallery(self)
+        self.help = Help(self)
         self.photo, self.question = PhotoCard(self), Question(self)
         self.recorder, self.recovery, self.keeper = Recorder(self), Recovery(self), Keeper(self)
         self.overlays = [self.question, self.gallery, self.photo, self.notices]  # the last one lies on top
@@ -173,13 +174,13 @@ class Toy:
 
     def _left_by_overlays(self, events, now_s, mouse_pos):
         """Return the events that nothing which lies over the sand has taken."""
-        for each in self.overlays[::-1]:
+        for each in (self.help, *self.overlays[::-1]):
             if each.shown:
                 events = each.listen(events, now_s, mouse_pos)
         return events
 
     def _lay_out_panel(self, events, now_s, mouse_pos):
-        if not self.panel_shown:
+        if not self.panel_shown or self.help.shown:
             return events
         return self.panel.lay_out(self.layout.panel, events, now_s, mouse_pos, self)
 

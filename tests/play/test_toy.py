@@ -139,9 +139,9 @@ def test_plus_and_minus_change_the_speed(glass):
 
 def test_escape_closes_the_help_and_then_quits(glass):
     glass.key(pygame.K_F1)
-    assert glass.toy.help_open
+    assert glass.toy.help.shown
     glass.key(pygame.K_ESCAPE)
-    assert not glass.toy.help_open and glass.toy.running
+    assert not glass.toy.help.shown and glass.toy.running
     glass.key(pygame.K_ESCAPE)
     assert not glass.toy.running
 

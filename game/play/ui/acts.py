@@ -1,10 +1,16 @@
 """What a person can do to a control, and what a control listens to."""
 
+import sys
 from typing import NamedTuple
 
 import pygame
 
 ENTER = pygame.K_RETURN  # the keypad's Enter is told as this one
+
+
+def key_name(label):
+    """Return a shortcut as the keys of this machine are called: Cmd instead of Ctrl on a Mac."""
+    return label.replace("Ctrl", "Cmd") if sys.platform == "darwin" else label
 
 
 class Slot(NamedTuple):

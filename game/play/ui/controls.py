@@ -10,7 +10,7 @@ import pygame
 
 from game.play.ui import paint
 from game.play.ui import theme as look
-from game.play.ui.acts import ENTER
+from game.play.ui.acts import ENTER, key_name
 
 ROW = 28  # height of a control at scale 1
 GAP = 6  # below a control with a filled body
@@ -42,6 +42,7 @@ def text(ui, paragraph, dim=False):
 def button(ui, label, key="", tip="", name=None, enabled=True):
     """Show a button, with its shortcut `key` if there is room; return whether it was pressed."""
     rect = ui.place(ui.theme.px(ROW), ui.theme.px(GAP))
+    key = key_name(key)
     tip = f"{tip or label}  ({key})" if key else tip
     me = ui.claim(name or label, rect, keys=PUSH_KEYS, tip=tip, live=enabled)
     body(ui, rect, me, enabled)
