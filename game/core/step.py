@@ -33,6 +33,7 @@ class Room(NamedTuple):
 
     flags: np.ndarray  # uint8: the word has candidates; padded to whole groups of eight
     undecided: np.ndarray  # uint64: the candidates of the word that draws so far left undecided
+    flagged: np.ndarray  # uint64: the numbers of the flagged words; one more is written behind the last
 
 
 class Corners(NamedTuple):
@@ -123,12 +124,24 @@ def fall(planes, at, size, flags, seven):
 
 
 @gate
-def count_flags(flags, size):
-    """Return how many of the first `size` flags are set."""
-    flagged = _ZERO
-    for i in range(size):
-        flagged += np.uint64(flags[i])
-    return flagged
+def list_flagged(flags, size, flagged):
+    """Write the numbers of the flagged words to `flagged` and return how many there are.
+
+    In a group with a flag every word is written, and the next one over it unless it was flagged: a branch for each word
+    would be foretold wrongly about as often as there is a candidate, which costs more than the whole group.
+    """
+    groups, count = flags.view(np.uint64), _ZERO
+    whole = (size + _SEVEN) >> _THREE
+    for i in range(size, whole << _THREE):
+        flags[i] = 0
+    for group in range(whole):
+        if groups[group] != _ZERO:
+            first = np.uint64(group) << _THREE
+            for lane in range(8):
+                i = first + np.uint64(lane)
+                flagged[count] = i
+                count += np.uint64(flags[i])
+    return count
 
 
 @gate
@@ -186,7 +199,7 @@ def draw_few(planes, at, i, rest, first_draw, place, key, chance, seven):
     accepted = rest & chosen(kinds, masks_of(chance.always))
     rest &= ~accepted
     draw = first_draw
-    while rest != _ZERO and draw < chance.draws:
+    while draw < chance.draws and rest != _ZERO:
         stage = stage_of(chance.digits, draw)
         accepted, rest = draw_stage(stage, kinds, place + i, np.uint64(draw), key, accepted, rest)
         draw += STAGE
@@ -224,22 +237,19 @@ def move_by_chance(planes, at, size, place, room, key, chance, seven):
     fell, some = fall(planes, at, size, room.flags, seven)
     if not some:
         return fell
-    flagged = count_flags(room.flags, size)
+    flagged = list_flagged(room.flags, size, room.flagged)
+    if flagged * CROWD <= size:
+        for k in range(flagged):
+            draw_few(planes, at, room.flagged[k], _FULL, NONE_YET, place, key, chance, seven)
+        return True
     draw, words = NONE_YET, flagged
-    while words * CROWD > size and draw < chance.draws:
+    while words * CROWD > size and draw < max(1, chance.draws):  # what is always accepted needs no draw, but a pass
         words = draw_many(planes, at, size, room.undecided, draw, place, key, chance, seven)
         draw += STAGE
-    if draw and words and draw < chance.draws:
+    if words and draw < chance.draws:
         for i in range(size):
             if room.undecided[i] != _ZERO:
                 draw_few(planes, at, i, room.undecided[i], draw, place, key, chance, seven)
-    elif words and not draw:
-        groups = room.flags.view(np.uint64)
-        for group in range((size + _SEVEN) >> _THREE):
-            if groups[group] != _ZERO:
-                for i in range(group << _THREE, min((group + _ONE) << _THREE, size)):
-                    if room.flags[i]:
-                        draw_few(planes, at, i, _FULL, draw, place, key, chance, seven)
     return True
 
 
@@ -304,7 +314,8 @@ def advance_planes(planes, shape, quiet, changed, stamp, offsets, seed, iteratio
     the one before, since what happens in a band depends on that band and the one below, an iteration earlier.
     """
     length, rows, stride, band_rows = shape
-    room = Room(np.empty(-(-band_rows * stride // 8) * 8, np.uint8), np.empty(band_rows * stride, np.uint64))
+    size = -(-band_rows * stride // 8) * 8
+    room = Room(np.empty(size, np.uint8), np.empty(size, np.uint64), np.empty(size + 1, np.uint64))
     skew = max(1, IN_CACHE // (band_rows * stride))
     stream, bands = seed_stream(seed), len(quiet)
     for start in range(0, iterations, skew):
