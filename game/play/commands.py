@@ -1,5 +1,6 @@
 """The commands: what a player can tell the toy by a key or a button of the panel."""
 
+from game.play.tools import SIZES
 from game.world import knob
 from game.world.action import Clear, Load
 
@@ -60,17 +61,27 @@ class Commands:
 
     # --- brush ---
 
-    def take_sand(self):
-        """Paint sand from now on."""
-        self.toy.brush.material = "sand"
+    def material(self, name):
+        """Paint with sand, with walls, or with nothing from now on."""
+        self.toy.brush.material = name
 
-    def take_wall(self):
-        """Paint walls from now on."""
-        self.toy.brush.material = "wall"
+    def tool(self, name):
+        """Take a tool in hand; rectangles and ellipses filled."""
+        self.toy.brush.choose(name)
+        self.toy.brush.edge_only = False
 
-    def take_eraser(self):
-        """Erase from now on."""
-        self.toy.brush.material = "erase"
+    def edge(self, name):
+        """Take the tool of that name in hand, to draw outlines only."""
+        self.toy.brush.choose(name)
+        self.toy.brush.edge_only = True
+
+    def size(self, number):
+        """Give the brush the size that belongs to a number key."""
+        self.toy.brush.diameter = SIZES[int(number) - 1]
+
+    def next_shape(self):
+        """Give the brush its next shape."""
+        self.toy.brush.next_shape()
 
     def smaller_brush(self):
         """Shrink the brush."""
@@ -124,8 +135,10 @@ class Commands:
         self.toy.help.toggle()
 
     def escape(self):
-        """Close what is open; with nothing open, quit."""
-        if self.toy.help.shown:
+        """Let go of what is being drawn, or close what is open; with nothing open, quit."""
+        if self.toy.brush.painting:
+            self.toy.brush.let_go()
+        elif self.toy.help.shown:
             self.toggle_help()
         elif self.toy.window.fullscreen:
             self.toggle_fullscreen()

@@ -24,7 +24,8 @@ class Hearing:
         elif event.type == pygame.KEYDOWN:
             command = keys.command(event)
             if command and (event.key not in self._down or command in keys.REPEATING):
-                getattr(toy.commands, command)()
+                name, *words = command.split()
+                getattr(toy.commands, name)(*words)
             self._down.add(event.key)
         elif event.type == pygame.KEYUP:
             self._down.discard(event.key)
@@ -54,5 +55,5 @@ class Hearing:
         if not going_on and toy.time_bar.hear(event):
             toy.brush.let_go()
         elif going_on or on_sand:
-            for number, stroke in enumerate(toy.brush.hear(event, toy.stage.view)):
-                toy.do(stroke, join=going_on or number > 0)
+            for act, join in toy.brush.hear(event, toy.stage.view, toy.session.world):
+                toy.do(act, join)

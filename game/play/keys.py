@@ -9,11 +9,11 @@ SHIFT = pygame.KMOD_SHIFT
 
 
 class Key(NamedTuple):
-    """A key and the command it gives: the name of a method of `Commands`. The help shows those with a label."""
+    """A key and the command it gives: a method of `Commands`. The help shows those with a label."""
 
     label: str
     codes: tuple
-    command: str
+    command: str  # words: the method's name, then what it is given
     meaning: str
     mods: int = 0  # which of CTRL and SHIFT are to be held with it
 
@@ -34,15 +34,28 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("R", (pygame.K_r,), "restart", "start the scene again"),
         Key("C", (pygame.K_c,), "clear", "take all sand away"),
     ),
-    "Brush": (
+    "Tools": (
         Key("Left button", (), "", "paint with the tool"),
-        Key("Right button", (), "", "erase"),
-        Key("Wheel", (), "", "size of the brush"),
-        Key("[ ]", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller, larger brush"),
+        Key("Right button", (), "", "erase with it"),
+        Key("Shift + drag", (), "", "straight line; sides alike"),
+        Key("S W X", (pygame.K_s,), "material sand", "sand, wall, eraser"),
+        Key("", (pygame.K_w,), "material wall", ""),
+        Key("", (pygame.K_x,), "material erase", ""),
+        Key("D A Y", (pygame.K_d,), "tool brush", "brush, spray, replace"),
+        Key("", (pygame.K_a,), "tool spray", ""),
+        Key("", (pygame.K_y,), "tool replace", ""),
+        Key("N U O", (pygame.K_n,), "tool line", "line, rectangle, ellipse"),
+        Key("", (pygame.K_u,), "tool rectangle", ""),
+        Key("", (pygame.K_o,), "tool ellipse", ""),
+        Key("Shift+U O", (pygame.K_u,), "edge rectangle", "their outlines only", SHIFT),
+        Key("", (pygame.K_o,), "edge ellipse", "", SHIFT),
+        Key("V I", (pygame.K_v,), "tool fill", "fill; pick a material"),
+        Key("", (pygame.K_i,), "tool pick", ""),
+        Key("1 … 9", (pygame.K_1, pygame.K_KP1), "size 1", "size of the brush"),
+        *(Key("", (pygame.K_1 + more, pygame.K_KP1 + more), f"size {more + 1}", "") for more in range(1, 9)),
+        Key("Wheel, [ ]", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller, larger brush"),
         Key("", (pygame.K_RIGHTBRACKET,), "larger_brush", ""),
-        Key("1 2 3", (pygame.K_1, pygame.K_KP1), "take_sand", "sand, wall, eraser"),
-        Key("", (pygame.K_2, pygame.K_KP2), "take_wall", ""),
-        Key("", (pygame.K_3, pygame.K_KP3), "take_eraser", ""),
+        Key("Shift+D", (pygame.K_d,), "next_shape", "round, square, diamond", SHIFT),
     ),
     "Scenes and pictures": (
         Key("Ctrl+S", (pygame.K_s,), "save", "save the scene", CTRL),

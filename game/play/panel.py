@@ -4,8 +4,8 @@ from dataclasses import replace
 
 import pygame
 
+from game.play import toolbox
 from game.play.files import demos
-from game.play.tools import TOOLS
 from game.world import knob
 from game.world.action import SetRule
 from game.world.rule import SCHEDULES, Rule
@@ -50,7 +50,7 @@ class Panel:
         self._friction(toy)
         self._time(toy)
         self._past(toy)
-        self._brush(toy)
+        toolbox.show(self.ui, toy)
         self._window(toy)
         return rest
 
@@ -165,18 +165,6 @@ class Panel:
         chosen = self.ui.choice("Demo", titles, 0, tip="A recorded session; yours waits behind it")
         if chosen:
             toy.files.play_demo(self._demos[chosen - 1])
-
-    def _brush(self, toy):
-        ui, brush = self.ui, toy.brush
-        ui.heading("Brush")
-        labels = tuple(tool.capitalize() for tool in TOOLS)
-        tip = "What the left button paints; the right one erases"
-        brush.material = TOOLS[ui.segmented("Tool", labels, TOOLS.index(brush.material), tip=tip)]
-        brush.diameter = ui.slider("Size", knob.BRUSH, brush.diameter, log=True, tip="Width of the brush, in cells")
-        tip = "Lets sand replace walls; without it they stay"
-        brush.over_walls = ui.toggle("Paint sand over walls", brush.over_walls, tip=tip)
-        if ui.button("Clear the sand", key="C", tip="Takes all sand away and leaves the walls"):
-            toy.commands.clear()
 
     def _window(self, toy):
         ui = self.ui

@@ -26,7 +26,7 @@ class Screen:
             toy.stage.refresh()
         rects = []
         if self.stale or not toy.stepping.passing(now_s):
-            rects = toy.stage.draw(toy.session.world, self._outline(), self._overlay(), now_s)
+            rects = toy.stage.draw(toy.session.world, self._marks(), self._overlay(), now_s)
         self.stale = False
         bar = toy.time_bar.drawing(toy.session)
         if bar != self._bar_drawn:
@@ -60,9 +60,9 @@ class Screen:
             if each.shown:
                 each.draw(surface, toy.theme, area)
 
-    def _outline(self):
-        """Return the brush's outline (x, y, radius) in pixels where the pointer is over the sand, or None."""
+    def _marks(self):
+        """Return the marks of the tool where the pointer is over the sand."""
         toy, pointer = self._toy, self._toy.hearing.pointer
         if pointer is None or toy.stage.turn or toy.gallery.shown or toy.photo.shown:
-            return None
-        return toy.brush.outline(toy.stage.view.place(*pointer), toy.stage.view)
+            return ()
+        return toy.brush.marks(toy.stage.view.place(*pointer), toy.stage.view)

@@ -1,12 +1,9 @@
-"""The stage: the sand's part of the window, with the turning glass, the brush's outline and what is laid over it."""
+"""The stage: the sand's part of the window, with the turning glass, the tools' marks and what is laid over it."""
 
 import pygame
 
 from game.play.turn import Turn
-from game.play.ui import theme as look
 from game.world import picture
-
-LEAST_RADIUS = 2  # pixels: a smaller outline would hide under the pointer
 
 
 class Stage:
@@ -16,7 +13,7 @@ class Stage:
         self.window = window
         self.area = pygame.Rect(0, 0, 1, 1)
         self.view = self.turn = None
-        self._outline = self._overlay = None  # as last drawn
+        self._marks, self._overlay = (), None  # as last drawn
         self._bare = True  # nothing of the stage has been drawn yet
 
     def fit(self, shape, area, margin):
@@ -33,7 +30,7 @@ class Stage:
         """Draw everything next time."""
         self.window.surface.fill(picture.GROUND, self.area)
         self._painter.forget()
-        self._outline, self._bare = None, True
+        self._marks, self._bare = (), True
 
     def start_turn(self, now_s):
         """Let the picture on the stage go round, from now on."""
@@ -46,11 +43,10 @@ class Stage:
         self.turn = None
         self.refresh()
 
-    def draw(self, world, outline, overlay, now_s):
+    def draw(self, world, marks, overlay, now_s):
         """Bring the stage up to date and return the rects of the window that changed.
 
-        outline: (x, y, radius) of the brush in pixels, or None. overlay: a function that draws over the sand on a
-        surface, or None.
+        marks: a tuple of `Mark`. overlay: a function that draws over the sand on a surface, or None.
         """
         if self.turn:
             frame = tuple(self.area)
@@ -59,25 +55,24 @@ class Stage:
             return [self.area]
         if self._overlay and not overlay:
             self.refresh()
-        old = _rect_of(self._outline) if outline != self._outline else None
+        old = [each.rect.clip(self.area) for each in self._marks if each not in marks]
         spans = self._draw_sand(world, old)
-        if not spans and not old and outline == self._outline and overlay is self._overlay:
+        if not spans and marks == self._marks and overlay is self._overlay:
             return []
-        self._outline = outline
-        if outline:
-            self._draw_outline(outline)
+        new = [each.rect.clip(self.area) for each in marks if each not in self._marks]
+        self._draw_marks(marks)
         self._lay_over(overlay)
         bare, self._bare = self._bare, False
         if overlay or bare:
             return [self.area]
         rects = [pygame.Rect(self.area.left, top, self.area.width, bottom - top) for top, bottom in spans]
-        rects += [rect.clip(self.area) for rect in (old, _rect_of(outline)) if rect]
-        return rects
+        return rects + old + new
 
     def _draw_sand(self, world, damaged):
-        if damaged:
-            self.window.surface.fill(picture.GROUND, damaged.clip(self.area))
-        damage = [(damaged.top, damaged.bottom)] if damaged else []
+        """Draw the sand that has changed, and what lies in the damaged rects; return the spans of rows drawn."""
+        for rect in damaged:
+            self.window.surface.fill(picture.GROUND, rect)
+        damage = [(rect.top, rect.bottom) for rect in damaged]
         drawn = []
         self.window.paint(lambda pixels: drawn.extend(self._painter.draw(world, pixels, damage)))
         return drawn
@@ -87,22 +82,12 @@ class Stage:
             overlay(self.window.surface)
         self._overlay = overlay
 
-    def _draw_outline(self, outline):
-        x, y, radius = outline
-        surface = self.window.surface
+    def _draw_marks(self, marks):
+        self._marks, surface = marks, self.window.surface
         surface.set_clip(self.area)
-        pygame.draw.circle(surface, look.SUNKEN, (x, y), max(radius, LEAST_RADIUS) + 1, 1)
-        pygame.draw.circle(surface, look.TEXT, (x, y), max(radius, LEAST_RADIUS), 1)
+        for each in marks:
+            each.draw(surface)
         surface.set_clip(None)
-
-
-def _rect_of(outline):
-    """Return the rect that holds an outline, or None for none."""
-    if outline is None:
-        return None
-    x, y, radius = outline
-    reach = max(radius, LEAST_RADIUS) + 3
-    return pygame.Rect(int(x - reach), int(y - reach), int(2 * reach) + 2, int(2 * reach) + 2)
 
 
 def _cut(pixels, view):

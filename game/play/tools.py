@@ -1,60 +1,134 @@
-"""The brush in hand: pointer events in, strokes out."""
+"""The tools: what the pointer holds, and its presses, moves and releases turned into acts."""
 
 import pygame
 
+from game.play.gestures import Press, Span, Trail
+from game.play.marks import box_outline, brush_outline, mark
 from game.world import knob
-from game.world.action import Paint, snap
+from game.world.action import KINDS, SHAPES, box, snap
 
-TOOLS = ("sand", "wall", "erase")
+MATERIALS = ("sand", "wall", "erase")
+TOOLS = {  # the gesture that each makes
+    "brush": Trail,
+    "line": Span,
+    "rectangle": Span,
+    "ellipse": Span,
+    "fill": Press,
+    "spray": Trail,
+    "pick": Press,
+    "replace": Trail,
+}
+ONE_CELL = ("rectangle", "ellipse", "fill", "pick")  # tools that aim at a cell, however large the brush
+SIZES = (1, 2, 3, 5, 8, 13, 21, 34, 55)  # diameters that the number keys give, in cells
 LEFT, RIGHT = 1, 3
 
 
 class Brush:
-    """What the pointer paints with, and the stroke that it is drawing."""
+    """What the pointer paints with, and the gesture that it is making."""
 
     def __init__(self):
+        self.tool = "brush"
         self.material = "sand"
         self.diameter = knob.BRUSH.default
+        self.shape = "round"
         self.over_walls = False
-        self._last = None  # where the stroke has come to, (column, row) in cells; None while no button is down
-        self._button = None
+        self.edge_only = False  # rectangles and ellipses are drawn as their outline, as thick as the brush
+        self._gesture = self._button = None
+        self._erasing = self._acted = False  # of the gesture: it erases whatever the material; it has acted
+        self._at = None  # where the gesture has come to, and whether it goes straight
+        self._before_pick = "brush"
+        self._sprays = 0
 
     @property
     def painting(self):
-        """Whether a stroke is being drawn."""
-        return self._last is not None
+        """Whether a gesture is being made."""
+        return self._gesture is not None
+
+    @property
+    def ink(self):
+        """The material that the gesture leaves."""
+        return "erase" if self._erasing else self.material
+
+    def choose(self, tool):
+        """Take a tool in hand."""
+        self.let_go()
+        if tool == "pick" != self.tool:
+            self._before_pick = self.tool
+        self.tool = tool
+
+    def take(self, kind):
+        """Paint with a kind of cell from now on, None for none, with the tool that was in hand before the picking."""
+        self.material = next((name for name in MATERIALS if KINDS.get(name) == kind), "erase")
+        self.tool = self._before_pick
+
+    def next_shape(self):
+        """Take the next shape of brush."""
+        shapes = list(SHAPES)
+        self.shape = shapes[(shapes.index(self.shape) + 1) % len(shapes)]
+
+    def next_spray(self):
+        """Return a number that no spray has had."""
+        self._sprays += 1
+        return self._sprays
 
     def resize(self, steps):
         """Grow or shrink the brush by about a tenth, and by one cell at least, for each step."""
         change = max(1, self.diameter // 10) * steps
         self.diameter = int(min(max(self.diameter + change, knob.BRUSH.low), knob.BRUSH.high))
 
-    def hear(self, event, view):
-        """Return the strokes that a pointer event draws on the lattice that `view` shows."""
+    # --- gestures: each method returns [(act, whether undo takes it back together with the act before)] ---
+
+    def hear(self, event, view, world):
+        """Let the mouse make gestures on the lattice that `view` shows."""
+        shift = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
         if event.type == pygame.MOUSEBUTTONDOWN and event.button in (LEFT, RIGHT) and not self.painting:
-            self._button, self._last = event.button, view.place(*event.pos)
-            return [self._stroke(self._last)]
-        if event.type == pygame.MOUSEMOTION and self.painting:
-            return [self._stroke(view.place(*event.pos))]
+            self._button = event.button
+            return self.press(view.place(*event.pos), world, event.button == RIGHT, shift)
+        if event.type == pygame.MOUSEMOTION and self._button:
+            return self.move(view.place(*event.pos), shift)
         if event.type == pygame.MOUSEBUTTONUP and event.button == self._button:
-            strokes = [self._stroke(view.place(*event.pos))]
-            self.let_go()
-            return strokes
+            return self.release(view.place(*event.pos), shift)
         return []
 
-    def pour(self):
-        """Return the stroke of a brush that is held where it is, so that sand keeps coming."""
-        return [self._stroke(self._last)] if self.painting else []
+    def press(self, place, world, erase=False, straight=False):
+        """Begin the tool's gesture; `erase`: with nothing. A brush that goes `straight` draws a line."""
+        tool = "brush" if erase and self.tool == "pick" else self.tool
+        gesture = Span if straight and tool == "brush" else TOOLS[tool]
+        self._erasing, self._acted = erase, False
+        self._gesture = gesture(self, place, world)
+        return self.move(place)
+
+    def move(self, place, straight=False):
+        """Go on with the gesture at another place; `straight`: a line in steps of 45 degrees, sides alike."""
+        self._at = place, straight and self.tool != "brush"
+        return self._told(self._gesture.go(*self._at))
+
+    def hold(self):
+        """Let a frame pass: a brush that rests goes on painting."""
+        return self._told(self._gesture.go(*self._at)) if self.painting else []
+
+    def release(self, place, straight=False):
+        """End the gesture at a place."""
+        acts = self._told(self._gesture.end(place, straight and self.tool != "brush"))
+        self.let_go()
+        return acts
 
     def let_go(self):
-        """End the stroke."""
-        self._last = self._button = None
+        """End the gesture with what it has done so far."""
+        self._gesture = self._button = None
+        self._erasing = False
 
-    def outline(self, place, view):
-        """Return (x, y, radius) in pixels of the brush at a place in the lattice."""
-        return *view.pixel(*snap(place, self.diameter)), self.diameter / 2 * view.cell
+    def marks(self, place, view):
+        """Return the Marks that show what the tool reaches from a place, or what the gesture will draw."""
+        outlines = self._gesture.outlines() if self.painting and self._gesture.outlines else None
+        return tuple(mark(outline, view) for outline in outlines or [self._aim(place)])
 
-    def _stroke(self, place):
-        material = "erase" if self._button == RIGHT else self.material
-        start, self._last = self._last, place
-        return Paint(material, start, place, self.diameter, self.over_walls)
+    def _aim(self, place):
+        if self.tool in ONE_CELL:
+            return box_outline(*box(place, place))
+        return brush_outline(self.shape, self.diameter, snap(place, self.diameter))
+
+    def _told(self, acts):
+        told = [(act, self._acted or number > 0) for number, act in enumerate(acts)]
+        self._acted = self._acted or bool(acts)
+        return told

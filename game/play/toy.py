@@ -157,8 +157,8 @@ class Toy:
         self.background.hear()
         for event in self._lay_out_panel(self._left_by_overlays(events, now_s, mouse_pos), now_s, mouse_pos):
             self.hearing.hear(event)
-        for stroke in self.brush.pour():
-            self.do(stroke, join=True)
+        for act, join in self.brush.hold():
+            self.do(act, join)
         self.hearing.follow(mouse_pos)
         self.stepping.step(elapsed_ns, now_s)
         self._tell(now_s)

@@ -81,6 +81,13 @@ class Focus:
         """The control whose tip is to show now, or None."""
         return None if self.popup else self._rest.name
 
+    def pointed_part(self, name):
+        """Return the number of the part of a control that the pointer is over, or None where that tells nothing."""
+        if self._pointer is None or not self._pointing or name not in self.slots:
+            return None
+        place = self.place(self._pointer)
+        return next((i for i, part in enumerate(self.slots[name].parts) if part.collidepoint(place)), None)
+
     def place(self, pos):
         """Return a place in the window in the column's own pixels."""
         return pos[0] - self._view.x, pos[1] - self._view.y + self.scroll.offset

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import pygame
 
-from game.play.ui import controls, dropdown, paint, sliders, tips
+from game.play.ui import controls, dropdown, grid, paint, sliders, tips
 from game.play.ui import theme as look
 from game.play.ui.acts import Slot
 from game.play.ui.focus import BAR as HELD_BAR
@@ -45,6 +45,7 @@ class Ui:
     toggle = controls.toggle
     fold = controls.fold
     segmented = controls.segmented
+    grid = grid.grid
     slider = sliders.slider
     slider_with_picture = sliders.slider_with_picture
     choice = dropdown.choice

@@ -1,0 +1,43 @@
+"""The toolbox: the panel's section of what the pointer does to the sand, and with what."""
+
+from game.play.tools import MATERIALS, TOOLS
+from game.world import knob
+from game.world.action import SHAPES
+
+TIPS = {  # what each tool does
+    "brush": "Paints where the pointer goes, and goes on pouring where it rests  (D)",
+    "line": "Draws a straight line, as thick as the brush, from press to release; Shift: in steps of 45°  (N)",
+    "rectangle": "Draws a rectangle from corner to corner; Shift: a square  (U)",
+    "ellipse": "Draws an ellipse from corner to corner; Shift: a circle  (O)",
+    "fill": "Fills what is joined to the cell under the pointer and is like it  (V)",
+    "spray": "Strews single grains, denser the longer it rests  (A)",
+    "pick": "Takes what is under the pointer to paint with  (I)",
+    "replace": "Paints over only what is like the cell it began on  (Y)",
+}
+SHORT = {"rectangle": "Box"}  # so that four buttons fit a row
+
+
+def show(ui, toy):
+    """Show the section, and obey what was done in it."""
+    brush = toy.brush
+    ui.heading("Tools")
+    tools = tuple(TOOLS)
+    labels = [SHORT.get(tool, tool.capitalize()) for tool in tools]
+    chosen = tools[ui.grid("Tool", labels, tools.index(brush.tool), 4, [TIPS[tool] for tool in tools])]
+    if chosen != brush.tool:
+        brush.choose(chosen)
+    labels = [name.capitalize() for name in MATERIALS]
+    tip = "What the left button paints with; the right one erases  (S, W, X)"
+    brush.material = MATERIALS[ui.segmented("Paint", labels, MATERIALS.index(brush.material), tip=tip)]
+    brush.diameter = ui.slider("Size", knob.BRUSH, brush.diameter, log=True, tip="Width of the brush, in cells  (1-9)")
+    shapes = tuple(SHAPES)
+    labels = [shape.capitalize() for shape in shapes]
+    tip = "Shape of the brush  (Shift+D)"
+    brush.shape = shapes[ui.segmented("Shape", labels, shapes.index(brush.shape), tip=tip)]
+    if brush.tool in ("rectangle", "ellipse"):
+        tip = "Draws only the edge, as thick as the brush, and leaves what is inside as it is  (Shift+U, Shift+O)"
+        brush.edge_only = ui.toggle("Outline only", brush.edge_only, tip=tip)
+    tip = "Lets sand replace walls; without it they stay"
+    brush.over_walls = ui.toggle("Paint sand over walls", brush.over_walls, tip=tip)
+    if ui.button("Clear the sand", key="C", tip="Takes all sand away and leaves the walls"):
+        toy.commands.clear()
