@@ -81,7 +81,7 @@ def test_settled_sand_is_left_alone_and_wakes_where_it_is_touched():
     before = world.sand
     advance(world, rule, 1000)
     assert (world.sand == before).all()
-    world.stroke((150.5, 3.5), (150.5, 3.5), 1, material=1)
+    apply(Paint("sand", (150.5, 3.5), (150.5, 3.5), 1), world, rule)
     assert not world.activity.settled and world.activity.quiet[-1] >= CYCLE
     advance(world, rule, 50)
     assert not world.sand[3, 150] and world.grains == before.sum() + 1
@@ -104,7 +104,7 @@ def test_another_schedule_or_iteration_forgets_what_was_quiet():
 def test_a_change_is_stamped_on_its_band_and_on_no_quiet_one():
     world = World.from_cells(np.zeros((2000, 150), bool), np.zeros((2000, 150), bool))
     advance(world, Rule(), 10)
-    world.stroke((50.5, 5.5), (50.5, 5.5), 1, material=1)
+    apply(Paint("sand", (50.5, 5.5), (50.5, 5.5), 1), world, Rule())
     seen = world.activity.stamp
     advance(world, Rule(), 5)
     changed = np.nonzero(world.activity.changed > seen)[0]

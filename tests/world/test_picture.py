@@ -5,6 +5,7 @@ import pytest
 
 from game import Rule, advance
 from game.core.pixels import SHADES, TEXTURE
+from game.world.action import MATERIALS, Paint, apply
 from game.world.picture import GROUND, Painter, View, palette, rgb, texture
 from tests.cells import random_world
 
@@ -83,7 +84,8 @@ def test_what_is_drawn_piece_by_piece_is_the_whole_picture(size):
         advance(world, rule, int(generator.integers(0, 60)))
         if number % 7 == 0:
             row = float(generator.integers(1400))
-            world.stroke((150.5, row + 0.5), (160.5, row + 0.5), 3, material=int(generator.integers(3)))
+            material = list(MATERIALS)[int(generator.integers(3))]
+            apply(Paint(material, (150.5, row + 0.5), (160.5, row + 0.5), 3), world, rule)
         drawn += sum(bottom - top for top, bottom in painter.draw(world, pixels))
         whole = np.zeros_like(pixels)
         Painter(view).draw(world, whole)
