@@ -27,7 +27,7 @@ def run(scene, frames=knob.FRAMES.default, p=None, seed=0):
     for _, act in steps(session.rule):
         act()
     height, width = (side * scene.cell for side in scene.shape)
-    painter = Painter(View.fit(scene.shape, 0, 0, width, height))
+    painter = Painter(View.fit(scene.shape, 0, 0, width, height), walls=scene.made_of)
     pixels = np.zeros((height, width), np.uint32)
     grains = session.world.grains
     times = [_frame(session, painter, pixels, flip=number == frames // 2) for number in range(frames)]

@@ -1,4 +1,9 @@
-"""Planes to colours: one pass from bits to a window's pixels."""
+"""Planes to colours: one pass from bits to a window's pixels.
+
+A cell's *look* is a number of four bits, worked out from bit planes, 64 cells at a time: what it is, and what lies
+around it. With the *shade* of its place, two bits, it makes a code, and the codes of two neighbours together find the
+colours of both in one table. To draw more kinds of cells, make the looks or the shades wider here, and in `pairs_of`.
+"""
 
 import numpy as np
 
@@ -6,70 +11,133 @@ from game.core.jit import gate, kernel
 from game.core.planes import BITS, SAND, WALLS
 
 TEXTURE = 64  # side of the texture of shades, in cells; a power of two
-SHADES = 8
-EMPTY, GRAIN, WALL, SURFACE = range(4)  # what a cell looks like: a surface is a grain with nothing on it
+SHADES = 4
+LOOKS = 16
+# What a cell looks like. The two upper bits tell air, sand, walls and wooden walls apart, but for the last of both.
+AIR, AIR_BY_WALL, INSIDE, INSIDE_BY_WALL = range(4)  # inside of a glass
+GRAIN, SURFACE, UNDER, GRAIN_BY_WALL = range(4, 8)  # a surface has nothing on it, and lies on what is under it
+WALL, RIM, EDGE, GLEAM = range(8, 12)  # a rim has no wall above or at its left, an edge below or at its right
+WOOD, WOOD_RIM, WOOD_EDGE, POST = range(12, 16)
 
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
-_BYTE = np.uint64(8)
-_SHADE_BITS, _CODE_BITS, _HALF = np.uint16(3), np.uint16(5), np.uint16(8)  # a look and a shade make a code of five bits
-_CODE = np.uint16(31)
+_LAST = np.uint64(BITS - 1)
+_BYTE = np.uint64(255)
 _POINT_BITS = 20  # positions in a turned picture are fixed-point numbers with this many binary places
 _POINT = 1 << _POINT_BITS
 
 
 @gate
-def _bits_of_row(planes, plane, start, above, words, low, high):
-    """Write the two bits of the looks of a plane row: `low` for grains, `high` for walls, both for surfaces."""
-    for word in range(words):
-        sand, walls = planes[SAND + plane, start + word], planes[WALLS + plane, start + word]
-        covered = _ZERO
-        if above >= 0:
-            covered = planes[SAND + (plane ^ 2), above + word] | planes[WALLS + (plane ^ 2), above + word]
-        low[word] = sand
-        high[word] = walls | (sand & ~covered)
+def _left_of(planes, plane, start, word, words):
+    """Return the cells to the left of a word of a row of walls: of its own bits there, and wall before column 0."""
+    if plane & 1:
+        return planes[plane - 1, start + word]
+    if word > 0:
+        return planes[plane + 1, start + word - 1]
+    return (planes[plane + 1, start + words - 1] << _ONE) | _ONE
 
 
 @gate
-def _looks_of_row(planes, stride, words, y, bits, looks):
-    """Write what the cells of lattice row y look like to `looks`, two neighbours a uint16, padded to whole words.
+def _right_of(planes, plane, start, word, words):
+    """Return the cells to the right of a word of a row of walls; wall after the last column."""
+    if not plane & 1:
+        return planes[plane + 1, start + word]
+    if word < words - 1:
+        return planes[plane - 1, start + word + 1]
+    return (planes[plane - 1, start] >> _ONE) | (_ONE << _LAST)
 
-    bits: (4, words) uint64, room for the two bits of the looks of the even and of the odd columns.
+
+@gate
+def _bits_of_row(planes, decor, stride, words, y, parity, bits):
+    """Write the four bits of the looks of the columns of one parity of lattice row y to `bits`, (4, words) uint64."""
+    row, plane = y >> 1, 2 * (y & 1) + parity
+    start, other = row * stride, plane ^ 2
+    above, below = start - stride * (1 - (y & 1)), start + stride * (y & 1)
+    for word in range(words):
+        sand, walls = planes[SAND + plane, start + word], planes[WALLS + plane, start + word]
+        walls_above = sand_above = covered_above = _ZERO
+        if y > 0:
+            sand_above, walls_above = planes[SAND + other, above + word], planes[WALLS + other, above + word]
+        if y > 1:
+            above_that = start - stride + word
+            covered_above = planes[SAND + plane, above_that] | planes[WALLS + plane, above_that]
+        beside = _left_of(planes, WALLS + plane, start, word, words)
+        right = _right_of(planes, WALLS + plane, start, word, words)
+        under = planes[WALLS + other, below + word]
+        near = beside | right | walls_above | under
+        air = ~(sand | walls)
+        lit = sand & ~(sand_above | walls_above)
+        by_wall = sand & (beside | right | walls_above) & ~lit
+        beneath = sand & sand_above & ~covered_above & ~by_wall
+        rim = walls & ~(beside & walls_above)
+        edge = walls & ~rim & ~(right & under)
+        low, high = lit | by_wall | rim | (air & near), beneath | by_wall | edge
+        wall, sand_or_wood = walls, sand
+        if decor is not None:
+            first, second = decor[plane, start + word], decor[4 + plane, start + word]
+            behind = air & second
+            wall |= behind
+            sand_or_wood |= (walls | behind) & first
+            low |= behind
+            high |= behind | (air & first)
+        bits[0, word], bits[1, word], bits[2, word], bits[3, word] = low, high, sand_or_wood, wall
+
+
+@gate
+def _transposed(x):
+    """Return a matrix of 8×8 bits with its rows and columns changed over (Warren, Hacker's Delight, 7-3)."""
+    t = (x ^ (x >> np.uint64(7))) & np.uint64(0x00AA00AA00AA00AA)
+    x ^= t ^ (t << np.uint64(7))
+    t = (x ^ (x >> np.uint64(14))) & np.uint64(0x0000CCCC0000CCCC)
+    x ^= t ^ (t << np.uint64(14))
+    t = (x ^ (x >> np.uint64(28))) & np.uint64(0x00000000F0F0F0F0)
+    return x ^ t ^ (t << np.uint64(28))
+
+
+@gate
+def _spread(bits, words, room, looks):
+    """Write the looks of a row to `looks`, those of two neighbours in eight bits of a uint16, padded to whole words.
+
+    bits: (8, words) uint64, the bits of the looks of the even and of the odd columns. room: (words,) uint64.
     """
-    start, plane = (y >> 1) * stride, 2 * (y & 1)
-    above = start - stride * (1 - (y & 1))
-    _bits_of_row(planes, plane, start, above, words, bits[0], bits[1])
-    _bits_of_row(planes, plane + 1, start, above, words, bits[2], bits[3])
-    for bit in range(BITS):
-        shift, first = np.uint64(bit), bit * words
+    for part in range(BITS // 8):
+        shift = np.uint64(8 * part)
         for word in range(words):
-            even = ((bits[0, word] >> shift) & _ONE) | (((bits[1, word] >> shift) & _ONE) << _ONE)
-            odd = ((bits[2, word] >> shift) & _ONE) | (((bits[3, word] >> shift) & _ONE) << _ONE)
-            looks[first + word] = np.uint16(even | (odd << _BYTE))
+            eight = _ZERO
+            for k in range(8):
+                eight |= ((bits[k, word] >> shift) & _BYTE) << np.uint64(8 * k)
+            room[word] = _transposed(eight)
+        for bit in range(8):
+            first, place = (8 * part + bit) * words, np.uint64(8 * bit)
+            for word in range(words):
+                looks[first + word] = np.uint16((room[word] >> place) & _BYTE)
 
 
 @gate
 def _colours_of_row(looks, shades, pairs, colours):
     """Look up the colours of every two neighbours of a row at once."""
     for k in range(looks.size):
-        codes = (looks[k] << _SHADE_BITS) | shades[k]
-        colours[k] = pairs[np.uint64((codes & _CODE) | ((codes >> _HALF) << _CODE_BITS))]
+        colours[k] = pairs[np.uint64(looks[k] | shades[k])]
 
 
 @gate
 def _copy(source, first, target, start, size):
-    for j in range(size):
-        target[start + j] = source[first + j]
+    """Copy by unsigned indices, which may not count from the end: the compiler then moves whole vectors."""
+    of, to = np.uint64(first), np.uint64(start)
+    for j in range(np.uint64(size)):
+        target[to + j] = source[of + j]
 
 
 @kernel
-def draw_cells(planes, stride, words, columns, rows, shades, pairs, pixels, top, left):
+def draw_cells(planes, decor, stride, words, columns, rows, shades, pairs, pixels, top, left):
     """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
-    columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the lattice row of each pixel row
-    from `top`. shades: (TEXTURE, 64·words) uint16, those of two neighbours a value. pairs: what `pairs_of` gives.
+    decor: None, or what stands still behind or in the cells, see core.decor. columns: uint32, the lattice column of
+    each pixel column from `left`. rows: int32, the lattice row of each pixel row from `top`. shades: (TEXTURE,
+    64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives.
     """
-    bits = np.empty((4, words), np.uint64)
+    bits = np.empty((8, words), np.uint64)
+    room = np.empty(words, np.uint64)
     looks = np.empty(BITS * words, np.uint16)
     colours = np.empty(BITS * words, np.uint64)
     cells = colours.view(np.uint32)
@@ -81,7 +149,9 @@ def draw_cells(planes, stride, words, columns, rows, shades, pairs, pixels, top,
         if i > 0 and y == rows[i - 1]:
             _copy(pixels[top + i - 1], left, line, left, width)
             continue
-        _looks_of_row(planes, stride, words, y, bits, looks)
+        _bits_of_row(planes, decor, stride, words, y, 0, bits[:4])
+        _bits_of_row(planes, decor, stride, words, y, 1, bits[4:])
+        _spread(bits, words, room, looks)
         _colours_of_row(looks, shades[y % TEXTURE], pairs, colours)
         if unscaled:
             _copy(cells, columns[0], line, left, width)
@@ -91,14 +161,20 @@ def draw_cells(planes, stride, words, columns, rows, shades, pairs, pixels, top,
 
 
 def pairs_of(palette):
-    """Return the (1024,) uint64 colours of two neighbours, the left one lower, from (4 looks, SHADES) uint32."""
-    codes = palette.ravel().astype(np.uint64)
-    return (codes[None, :] | (codes[:, None] << np.uint64(32))).ravel()
+    """Return the (4096,) uint64 colours of two neighbours, the left one in the lower half.
+
+    palette: (LOOKS, SHADES) uint32. A pair's place, from the lowest bit: the left one's look, the right one's, the left
+    one's shade, the right one's.
+    """
+    codes = palette.T.astype(np.uint64)  # by shade, then look
+    left, right = codes[None, :, None, :], codes[:, None, :, None] << np.uint64(32)
+    return (left | right).ravel()
 
 
 def shades_of(texture, words):
-    """Return the shades of (TEXTURE, TEXTURE) uint8 for rows of `words` words, two neighbours a uint16."""
-    return np.tile(texture, 2 * BITS * words // TEXTURE).view("<u2").astype(np.uint16)
+    """Return the shades of (TEXTURE, TEXTURE) uint8 for rows of `words` words: (TEXTURE, 64·words) uint16."""
+    row = np.tile(texture, 2 * BITS * words // TEXTURE).astype(np.uint16)
+    return (row[:, ::2] << 8) | (row[:, 1::2] << 10)
 
 
 @kernel

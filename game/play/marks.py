@@ -16,7 +16,7 @@ class Mark(NamedTuple):
     """A closed line through points in pixels."""
 
     points: tuple
-    colour: tuple = look.TEXT
+    colour: str = look.TEXT  # a role
 
     @property
     def rect(self):
@@ -25,10 +25,10 @@ class Mark(NamedTuple):
         top, bottom = min(y for _, y in self.points), max(y for _, y in self.points)
         return pygame.Rect(left, top, right - left + 1, bottom - top + 1).inflate(4 * SEAM, 4 * SEAM)
 
-    def draw(self, surface):
+    def draw(self, surface, theme):
         """Draw it."""
-        pygame.draw.lines(surface, look.SUNKEN, True, self.points, 1 + 2 * SEAM)
-        pygame.draw.lines(surface, self.colour, True, self.points)
+        pygame.draw.lines(surface, theme.rgb(look.SUNKEN), True, self.points, 1 + 2 * SEAM)
+        pygame.draw.lines(surface, theme.rgb(self.colour), True, self.points)
 
 
 def mark(outline, view, colour=look.TEXT):

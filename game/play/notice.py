@@ -64,7 +64,7 @@ class Notices:
         lines = theme.lines(text, look.BODY, wide - 2 * px(PAD))
         height = px(HEIGHT) + (len(lines) - 1) * theme.line_height(look.BODY)
         sheet = pygame.Surface((wide, height), pygame.SRCALPHA)
-        sheet.fill((*look.RAISED, 0))
+        sheet.fill((*theme.rgb(look.RAISED), 0))
         paint.box(sheet, theme, (0, 0, wide, height), look.RAISED, px(6))
         row = height // len(lines)
         for number, line in enumerate(lines):

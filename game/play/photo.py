@@ -58,7 +58,7 @@ class PhotoCard:
         """Draw the card with the photo as it would be."""
         self._card.draw(surface, theme)
         room = self._room.move(self._card.rect.topleft)
-        sprite = _sprite(self._found.scene, room.size)
+        sprite = _sprite(self._found.scene, room.size, theme.colours)
         surface.blit(sprite, sprite.get_rect(center=room.center))
 
     def _close(self, taken):
@@ -68,12 +68,12 @@ class PhotoCard:
             self._toy.open_scene(self._found.scene, self._found.seed)
 
 
-def _sprite(scene, size):
+def _sprite(scene, size, colours):
     """Return the scene's cells as a surface that fits `size`."""
     world = scene.world()
     view = picture.View.fit(scene.shape, 0, 0, *size)
     pixels = np.zeros((view.top * 2 + view.height, view.left * 2 + view.width), np.uint32)
-    picture.Painter(view).draw(world, pixels)
+    picture.Painter(view, colours, scene.made_of).draw(world, pixels)
     part = np.ascontiguousarray(pixels[view.top : view.top + view.height, view.left : view.left + view.width])
     rgb = part.view(np.uint8).reshape(*part.shape, 4)[..., 2::-1]
     return pygame.image.frombuffer(rgb.tobytes(), part.shape[::-1], "RGB")

@@ -1,5 +1,6 @@
 """The recorder: pictures of the window and the sand, and GIFs of what follows or of what has just been."""
 
+import itertools
 import queue
 from functools import partial
 
@@ -8,6 +9,7 @@ import pygame
 
 from game.play.gif import Gif
 from game.world import picture
+from game.world.colours import NIGHT, palette
 from game.world.moment import Moment
 from game.world.places import new_file
 from game.world.snapshot import nearest
@@ -51,11 +53,12 @@ class Recorder:
         world = self._toy.session.world.copy()
         most = LARGEST_PICTURE // max(world.shape)
         scale = max(1, min(round(self._toy.stage.view.cell), most))
+        looks = self._looks()
 
         def draw():
             height, width = (side * scale for side in world.shape)
             pixels = np.empty((height, width), np.uint32)
-            picture.Painter(picture.View(world.shape, 0, 0, width, height)).draw(world, pixels)
+            picture.Painter(picture.View(world.shape, 0, 0, width, height), *looks).draw(world, pixels)
             return _rgb(pixels).tobytes(), (width, height)
 
         self._save_picture(draw)
@@ -83,9 +86,12 @@ class Recorder:
             self.stop()
             return
         session = self._toy.session
-        self._film, self._frames = Film(session.world.shape, session.scene.cell), queue.Queue(MOST_WAITING)
+        self._film, self._frames = (
+            Film(session.world.shape, session.scene.cell, *self._looks()),
+            queue.Queue(MOST_WAITING),
+        )
         self._since_s = self._last_s = None
-        work = partial(_write, session.scene.name, iter(self._frames.get, None))
+        work = partial(_write, session.scene.name, self._film, iter(self._frames.get, None))
         self._toy.background.do(work, self._say_where)
 
     def stop(self):
@@ -118,17 +124,21 @@ class Recorder:
         start = max(0, end - round(PAST_S * speed))
         count = max(1, round((end - start) / speed * 1000 / FRAME_MS))
         ats = [start + (end - start) * number // count for number in range(count + 1)]
-        film = Film(session.world.shape, session.scene.cell)
+        film = Film(session.world.shape, session.scene.cell, *self._looks())
         self._share = 0.0
         again = _again(session.timeline, ats)
         frames = self._counted(film, again, len(ats))
-        self._toy.background.do(partial(_write, session.scene.name, frames, self._forget_share), self._say_where)
+        self._toy.background.do(partial(_write, session.scene.name, film, frames, self._forget_share), self._say_where)
 
     def _counted(self, film, worlds, count):
         for number, world in enumerate(worlds, 1):
             if world.shape == film.shape:
                 yield film.frame(world), FRAME_MS
             self._share = number / count
+
+    def _looks(self):
+        """Return the colours of the theme, and what the walls are made of."""
+        return self._toy.colours, self._toy.session.scene.made_of
 
     def _forget_share(self):
         self._share = None
@@ -140,13 +150,15 @@ class Recorder:
 class Film:
     """Turns worlds of one shape into frames: (h, w) uint8 of places in a palette of the sand's few colours."""
 
-    def __init__(self, shape, cell):
+    def __init__(self, shape, cell, colours=NIGHT, walls="stone"):
         height, width = self.shape = shape
         scale = min(cell, LARGEST_GIF[0] / width, LARGEST_GIF[1] / height)
         scale = int(scale) if scale >= 1 else scale
         size = max(1, round(height * scale)), max(1, round(width * scale))
-        places = np.arange(picture.palette().size, dtype=np.uint32).reshape(picture.palette().shape)
-        self._painter = picture.Painter(picture.View(shape, 0, 0, *size[::-1]), places)
+        self.colours = _rgb(palette(colours, walls).reshape(1, -1)).tobytes()  # the palette of a GIF
+        places = itertools.count()
+        view = picture.View(shape, 0, 0, *size[::-1])
+        self._painter = picture.Painter(view, colours, walls, lambda *_: next(places))
         self._pixels = np.zeros(size, np.uint32)
 
     def frame(self, world):
@@ -155,10 +167,10 @@ class Film:
         return self._pixels.astype(np.uint8)
 
 
-def _write(name, frames, at_the_end=None):
-    """Write frames (pixels, milliseconds) to a new GIF and return its path."""
+def _write(name, film, frames, at_the_end=None):
+    """Write frames (pixels, milliseconds) of a film to a new GIF and return its path."""
     try:
-        gif = Gif(new_file("pictures", name, ".gif"), _rgb(picture.palette().reshape(1, -1)).tobytes())
+        gif = Gif(new_file("pictures", name, ".gif"), film.colours)
         try:
             for pixels, ms in frames:
                 gif.add(pixels, ms)

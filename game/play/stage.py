@@ -16,19 +16,18 @@ class Stage:
         self._marks, self._overlay = (), None  # as last drawn
         self._bare = True  # nothing of the stage has been drawn yet
 
-    def fit(self, shape, area, margin):
-        """Show a lattice of `shape` in `area` of the window, with a margin in pixels."""
-        surface = self.window.surface
+    def fit(self, shape, area, margin, theme, walls):
+        """Show a lattice of `shape` in `area` of the window, with a margin in pixels, its walls made of `walls`."""
+        surface, self._theme = self.window.surface, theme
         self.area = pygame.Rect(area)
         inner = self.area.inflate(-2 * margin, -2 * margin)
         self.view = picture.View.fit(shape, *inner)
-        self._ground = surface.map_rgb(picture.GROUND)
-        self._painter = picture.Painter(self.view, picture.palette(lambda *colour: surface.map_rgb(colour)))
+        self._painter = picture.Painter(self.view, theme.colours, walls, lambda *colour: surface.map_rgb(colour))
         self.refresh()
 
     def refresh(self):
         """Draw everything next time."""
-        self.window.surface.fill(picture.GROUND, self.area)
+        self.window.surface.fill(self._theme.colours.ground, self.area)
         self._painter.forget()
         self._marks, self._bare = (), True
 
@@ -49,8 +48,8 @@ class Stage:
         marks: a tuple of `Mark`. overlay: a function that draws over the sand on a surface, or None.
         """
         if self.turn:
-            frame = tuple(self.area)
-            self.window.paint(lambda pixels: self.turn.draw(pixels, self._ground, frame, now_s))
+            frame, ground = tuple(self.area), self.window.surface.map_rgb(self._theme.colours.ground)
+            self.window.paint(lambda pixels: self.turn.draw(pixels, ground, frame, now_s))
             self._lay_over(overlay)
             return [self.area]
         if self._overlay and not overlay:
@@ -71,7 +70,7 @@ class Stage:
     def _draw_sand(self, world, damaged):
         """Draw the sand that has changed, and what lies in the damaged rects; return the spans of rows drawn."""
         for rect in damaged:
-            self.window.surface.fill(picture.GROUND, rect)
+            self.window.surface.fill(self._theme.colours.ground, rect)
         damage = [(rect.top, rect.bottom) for rect in damaged]
         drawn = []
         self.window.paint(lambda pixels: drawn.extend(self._painter.draw(world, pixels, damage)))
@@ -86,7 +85,7 @@ class Stage:
         self._marks, surface = marks, self.window.surface
         surface.set_clip(self.area)
         for each in marks:
-            each.draw(surface)
+            each.draw(surface, self._theme)
         surface.set_clip(None)
 
 

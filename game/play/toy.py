@@ -25,8 +25,8 @@ from game.play.stepping import Stepping
 from game.play.tools import Brush
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
-from game.world import picture
 from game.world.action import Flip, Load, SetRule
+from game.world.colours import THEMES
 from game.world.rule import Rule
 from game.world.scene import load_scene, scene_title
 from game.world.session import Session
@@ -46,7 +46,7 @@ class Toy:
         self.stage = Stage(window)
         self.session = Session(scene, seed)
         self._former = []  # the sessions that others were opened over
-        self.theme = look.Theme(self.settings["ui_scale"])
+        self.theme = look.Theme(self.settings["ui_scale"], self.colours)
         self.brush = Brush()
         self.commands = Commands(self)
         self.panel = panel.Panel(Ui(self.theme))
@@ -54,7 +54,7 @@ class Toy:
         self.running = True
         self.panel_shown = True
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
-        self._size = None  # of the window and the lattice, as laid out
+        self._size = None  # of the window and the lattice, as laid out, and what they look like
         self._gather_helpers()
         if p is not None:
             self.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
@@ -80,6 +80,11 @@ class Toy:
         if self.is_there():
             self.session.do(action, join)
 
+    @property
+    def colours(self):
+        """The colours of the theme that is set."""
+        return THEMES[self.settings["theme"]]
+
     def is_there(self):
         """Return whether the session is at the moment it should be at; wait a little for that, or say so."""
         there = self.session.timeline.catch_up(self.SEEK_NS)
@@ -96,11 +101,12 @@ class Toy:
         self._size = None
 
     def turn_over(self):
-        """Flip the lattice and let its old picture turn."""
+        """Flip the lattice and let its old picture turn, unless motion is to be reduced."""
         if self.stage.turn:
             return
         self.brush.let_go()
-        self.stage.start_turn(time.perf_counter())
+        if not self.settings["reduced_motion"]:
+            self.stage.start_turn(time.perf_counter())
         self.do(Flip())
 
     def load(self, name):
@@ -193,23 +199,23 @@ class Toy:
             self.refresh()
 
     def _fit(self):
-        """Lay everything out, after the window or the lattice changed its size."""
-        shape, size = self.session.world.shape, self.window.size
-        if (size, shape) == self._size:
+        """Lay everything out, after the window or the lattice changed its size or its colours."""
+        shape, size, walls = self.session.world.shape, self.window.size, self.session.scene.made_of
+        if (size, shape, walls, self.colours) == self._size:
             return
-        self._size = size, shape
-        self._scale()
+        self._size = size, shape, walls, self.colours
+        self._renew_theme()
         self.layout = Layout(self.theme, size, self.panel_shown)
         self.time_bar.area = self.layout.bar
-        self.window.surface.fill(picture.GROUND)
-        self.stage.fit(shape, self.layout.sand, self.theme.px(MARGIN))
+        self.window.surface.fill(self.colours.ground)
+        self.stage.fit(shape, self.layout.sand, self.theme.px(MARGIN), self.theme, walls)
         self.screen.forget()
 
-    def _scale(self):
-        """Keep the UI scale that was asked for, as far as the window leaves room for it."""
-        scale = panel.fitting_scale(self.settings["ui_scale"], self.window.size[0])
-        if scale != self.theme.scale:
-            self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.Theme(scale)
+    def _renew_theme(self):
+        """Keep the colours and the UI scale that were asked for, as far as the window leaves room for it."""
+        wanted = panel.fitting_scale(self.settings["ui_scale"], self.window.size[0]), self.colours
+        if wanted != (self.theme.scale, self.theme.colours):
+            self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.Theme(*wanted)
 
     @cache  # noqa: B019 - there is one toy, and scene files do not change under it
     def title_of(self, name):

@@ -16,6 +16,7 @@ class Activity:
         self.quiet = np.zeros(bands, np.int64)  # iterations for which nothing stirred or could have, up to CYCLE
         self.changed = np.zeros(bands, np.int64)  # the stamp of the latest change
         self.stamp = 1  # rises with every batch of iterations and every act
+        self.woken = 1  # the stamp of the latest change from outside: without one, no wall has changed
         self.schedule, self.iteration = None, None  # what `quiet` counts for
 
     def expect(self, schedule, iteration):
@@ -32,7 +33,7 @@ class Activity:
         )
         self.stamp += 1
         self.quiet[bands] = 0
-        self.changed[bands] = self.stamp
+        self.changed[bands] = self.woken = self.stamp
 
     @property
     def settled(self):

@@ -4,32 +4,13 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from game.core.pixels import EMPTY, GRAIN, SHADES, SURFACE, TEXTURE, WALL, draw_cells, pairs_of, shades_of
-from game.core.planes import layout
+from game.core.decor import decor_of
+from game.core.pixels import TEXTURE, draw_cells, pairs_of, shades_of
+from game.core.planes import WALLS, layout
+from game.world.colours import NIGHT, palette, rgb
 
-GROUND = (24, 21, 18)  # around the lattice
 WHOLE_ENOUGH = 0.8  # of the width that would fit: the least a view may shrink to for the sake of whole pixels
-DARK_AND_LIGHT = {  # the range of shades of each look, as RGB
-    EMPTY: ((35, 31, 27), (35, 31, 27)),
-    GRAIN: ((196, 142, 62), (226, 176, 92)),
-    SURFACE: ((238, 192, 108), (255, 222, 146)),
-    WALL: ((96, 104, 108), (110, 118, 122)),
-}
-
-
-def rgb(red, green, blue):
-    """Return the pixel value 0xRRGGBB."""
-    return red << 16 | green << 8 | blue
-
-
-def palette(map_rgb=rgb):
-    """Return the (looks, SHADES) uint32 pixel values, `map_rgb` turning red, green, blue in 0 … 255 into one."""
-    values = np.empty((len(DARK_AND_LIGHT), SHADES), np.uint32)
-    for look, (dark, light) in DARK_AND_LIGHT.items():
-        for shade in range(SHADES):
-            mixed = (d + (bright - d) * shade // (SHADES - 1) for d, bright in zip(dark, light, strict=True))
-            values[look, shade] = map_rgb(*mixed)
-    return values
+MOST_DECORATED = 2**24  # cells: in a larger lattice, a painted wall would hold a frame up for too long
 
 
 def texture():
@@ -37,7 +18,7 @@ def texture():
     y, x = np.mgrid[0:TEXTURE, 0:TEXTURE].astype(np.uint64)
     z = (y * np.uint64(TEXTURE) + x + np.uint64(1)) * np.uint64(0x9E3779B97F4A7C15)
     z = (z ^ (z >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
-    return (z >> np.uint64(61)).astype(np.uint8)
+    return (z >> np.uint64(62)).astype(np.uint8)
 
 
 @dataclass(frozen=True)
@@ -93,18 +74,23 @@ class View:
 class Painter:
     """Draws worlds into pixel arrays through one view, and of a world drawn before only the bands that changed."""
 
-    def __init__(self, view, colours=None):
+    def __init__(self, view, colours=NIGHT, walls="stone", map_rgb=rgb):
+        """`walls`: what they are made of; those of glass are decorated. map_rgb: makes a pixel of three numbers."""
         self.view = view
         self._columns, self._rows = view.columns.astype(np.uint32), view.rows
-        self._pairs = pairs_of(palette() if colours is None else colours)
+        self._pairs = pairs_of(palette(colours, walls, map_rgb))
         self._shades = shades_of(texture(), layout(*view.shape).words)
         self._world, self._seen = None, 0  # what was drawn last, and its stamp then
+        self._glass = walls == "glass" and view.shape[0] * view.shape[1] <= MOST_DECORATED
+        self._decor = self._decorated = None  # what decorates the glass, and its walls
 
     def draw(self, world, pixels, damage=()):
         """Draw what differs from the last drawing into `pixels`, an (h, w) uint32 array that holds the view, in place.
 
         damage: spans (top, bottom) of pixel rows that were overwritten since. Return the spans drawn, from the top.
         """
+        if self._glass:
+            self._decorate(world)
         spans = [*self._changed(world), *(self._clipped(*span) for span in damage)]
         self._world, self._seen = world, world.activity.stamp
         drawn = _merged(spans)
@@ -116,6 +102,16 @@ class Painter:
         """Draw everything next time."""
         self._world = None
 
+    def _decorate(self, world):
+        """Decorate the glass anew, and forget what was drawn, if its walls are not those decorated last."""
+        activity, walls = world.activity, world.planes[WALLS : WALLS + 4]
+        if world is self._world and activity.woken <= self._seen:
+            return
+        if self._decorated is None or not np.array_equal(walls, self._decorated):
+            self._decorated = walls.copy()
+            self._decor = decor_of(world.planes, world.layout)
+            self.forget()
+
     def _changed(self, world):
         """Yield the spans of pixel rows that show bands changed since the last drawing."""
         if world is not self._world:
@@ -123,8 +119,8 @@ class Painter:
             return
         band_height = 2 * world.activity.band_rows
         for band in np.nonzero(world.activity.changed > self._seen)[0]:
-            # a band's blocks reach a row further down, and what lies below that is lit from above
-            rows = band * band_height, (band + 1) * band_height + 2
+            # a band's blocks reach a row further down; looks tell of the two rows above and of walls below
+            rows = band * band_height - 1, (band + 1) * band_height + 3
             top, bottom = np.searchsorted(self._rows, rows)
             yield self.view.top + int(top), self.view.top + int(bottom)
 
@@ -134,7 +130,19 @@ class Painter:
     def _draw_rows(self, world, pixels, top, bottom):
         where, rows = world.layout, self._rows[top - self.view.top : bottom - self.view.top]
         columns, shades, pairs = self._columns, self._shades, self._pairs
-        draw_cells(world.planes, where.stride, where.words, columns, rows, shades, pairs, pixels, top, self.view.left)
+        draw_cells(
+            world.planes,
+            self._decor,
+            where.stride,
+            where.words,
+            columns,
+            rows,
+            shades,
+            pairs,
+            pixels,
+            top,
+            self.view.left,
+        )
 
 
 def _merged(spans):

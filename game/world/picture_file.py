@@ -10,6 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.world import knob
+from game.world.colours import WALL_LOOKS
 from game.world.drawing import (
     COLOURS,
     EMPTY,
@@ -62,6 +63,7 @@ def save_picture(path, session):
         "sandglass": VERSION,
         "title": scene.title,
         "notice": scene.notice,
+        "walls": scene.made_of,
         "rule": session.rule.as_dict(),
         "seed": session.seed,
         "speed": session.clock.speed,
@@ -177,7 +179,8 @@ def _settings(path, text):
     if not isinstance(table.values, dict):
         raise SceneError(path, CHUNK, "no object", "the settings of a scene")
     table.number("sandglass", Knob("version", VERSION, 1, VERSION, "(a newer Sandglass wrote it)", "", whole=True))
-    table.allow(("sandglass", "title", "notice", "rule", "seed", "speed", "cell"))
+    table.allow(("sandglass", "title", "notice", "walls", "rule", "seed", "speed", "cell"))
     fields = {"title": table.line("title", path.stem), "notice": table.line("notice", "")}
     fields |= {"rule": decode_rule(table.table("rule")), "speed": table.number("speed", knob.SPEED)}
+    fields["made_of"] = table.choice("walls", WALL_LOOKS, WALL_LOOKS[0])
     return fields | {"cell": table.number("cell", knob.CELL)}, table.number("seed", knob.SEED)

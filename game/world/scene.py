@@ -8,6 +8,7 @@ import numpy as np
 
 from game.world import knob
 from game.world.assets import asset
+from game.world.colours import WALL_LOOKS
 from game.world.drawing import EMPTY, SAND, WALL, painted_cells, resampled, written_cells
 from game.world.rule import FIELDS, SCHEDULES, Rule
 from game.world.shapes import Scale, paint
@@ -19,7 +20,7 @@ __all__ = ["Scene", "SceneError", "load_scene", "scene_names"]
 ORDER = ("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "fullhd", "blank")  # as shown; others follow
 SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
 SIDES = ("height", "width")
-KEYS = ("title", "notice", *SIDES, *SOURCES, "rule", "speed", "cell")
+KEYS = ("title", "notice", *SIDES, *SOURCES, "walls", "rule", "speed", "cell")
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +35,7 @@ class Scene:
     rule: Rule
     speed: float  # iterations per second
     cell: int  # pixels across one cell
+    made_of: str = WALL_LOOKS[0]  # what the walls look like
     shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
 
     @property
@@ -69,6 +71,7 @@ def load_scene(name_or_path, size=None):
         rule=rule,
         speed=table.number("speed", knob.SPEED, knob.SPEED.default),
         cell=table.number("cell", knob.CELL, knob.CELL.default),
+        made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
         shipped=path.parent == asset("scenes"),
     )
 

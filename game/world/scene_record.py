@@ -9,12 +9,13 @@ from functools import lru_cache
 import numpy as np
 
 from game.world import knob
+from game.world.colours import WALL_LOOKS
 from game.world.rule import FIELDS, SCHEDULES, Rule
 from game.world.scene import Scene, load_scene, scene_names
 from game.world.table import shown
 
 SHIPPED = ("name", "size", "start")
-EMBEDDED = ("name", "title", "notice", "size", "cells", "rule", "speed", "cell")
+EMBEDDED = ("name", "title", "notice", "size", "cells", "walls", "rule", "speed", "cell")
 
 
 def start_digest(scene):
@@ -28,7 +29,7 @@ def start_digest(scene):
 def encode(scene, known):
     """Return the record of a scene as a dict for JSON; known: {start digest: scene} of the file so far, added to."""
     start = start_digest(scene)
-    if start in known and known[start].name == scene.name:
+    if start in known and (known[start].name, known[start].made_of) == (scene.name, scene.made_of):
         return {"again": start}
     known[start] = scene
     size = list(scene.shape[::-1])
@@ -41,6 +42,7 @@ def encode(scene, known):
         "notice": scene.notice,
         "size": size,
         "cells": base64.b64encode(zlib.compress(bits, 9)).decode(),
+        "walls": scene.made_of,
         "rule": scene.rule.as_dict(),
         "speed": scene.speed,
         "cell": scene.cell,
@@ -101,6 +103,7 @@ def _embedded(table):
         rule=decode_rule(table.table("rule")),
         speed=table.number("speed", knob.SPEED),
         cell=table.number("cell", knob.CELL),
+        made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
     )
 
 

@@ -21,7 +21,7 @@ from game.world.settings_file import Kept, read_lines, written
 
 ROWS = (
     Knob("ui_scale", knob.UI_SCALE.default, knob.UI_SCALE.low, knob.UI_SCALE.high, "", knob.UI_SCALE.meaning),
-    Choice("theme", "day", ("day", "night", "high-contrast"), "colours of the window and the sand"),
+    Choice("theme", "night", ("day", "night", "high-contrast"), "colours of the window and the sand"),
     Switch("smooth_streams", True, "draw falling sand as the mean of what happens within a frame"),
     Switch("reduced_motion", False, "leave out turns, glows and fades"),
     Switch("sound", False, "the hiss of flowing sand"),

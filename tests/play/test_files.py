@@ -311,8 +311,9 @@ def test_the_last_frame_of_the_past_recorded_is_the_sand_now(glass):
     glass.hold_time()
     glass.key(pygame.K_g, mod=SHIFT)
     glass.settle()
-    film = recorder.Film(glass.world.shape, glass.session.scene.cell)
-    wanted = recorder._rgb(recorder.picture.palette().reshape(-1)[film.frame(glass.world)])
+    scene = glass.session.scene
+    film = recorder.Film(scene.shape, scene.cell, glass.toy.colours, scene.made_of)
+    wanted = np.frombuffer(film.colours, np.uint8).reshape(-1, 3)[film.frame(glass.world)]
     with Image.open(the_file("pictures")) as image:
         assert image.n_frames > 20
         image.seek(image.n_frames - 1)

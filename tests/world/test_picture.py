@@ -5,17 +5,11 @@ import pytest
 
 from game import Rule, advance
 from game.core.pixels import SHADES, TEXTURE
-from game.world.action import MATERIALS, Paint, apply
-from game.world.picture import GROUND, Painter, View, palette, rgb, texture
+from game.world.action import Paint, apply
+from game.world.colours import NIGHT, palette
+from game.world.picture import Painter, View, texture
 from tests.cells import random_world
-
-
-def looks(world):
-    """Return the plain twin's look of every cell: 0 empty, 1 grain, 2 wall, 3 surface (a grain with nothing on it)."""
-    sand, walls = world.sand, world.walls
-    covered = np.zeros_like(sand)
-    covered[1:] = (sand | walls)[:-1]
-    return np.where(walls, 2, np.where(sand, np.where(covered, 1, 3), 0))
+from tests.looks import looks_of
 
 
 def drawn(world, view, height, width):
@@ -31,7 +25,7 @@ def test_every_pixel_has_the_colour_of_its_cell(shape, cell):
     height, width = shape[0] * cell + 9, shape[1] * cell + 5
     view = View(shape, 3, 4, shape[1] * cell, shape[0] * cell)
     rows, columns = np.mgrid[0 : shape[0], 0 : shape[1]]
-    colours = palette()[looks(world), texture()[rows % TEXTURE, columns % TEXTURE]]
+    colours = palette(NIGHT)[looks_of(world.sand, world.walls), texture()[rows % TEXTURE, columns % TEXTURE]]
     wanted = np.full((height, width), 7, np.uint32)
     wanted[4 : 4 + view.height, 3 : 3 + view.width] = colours.repeat(cell, axis=0).repeat(cell, axis=1)
     assert (drawn(world, view, height, width) == wanted).all()
@@ -57,16 +51,6 @@ def test_the_cell_under_a_pixel_is_the_cell_drawn_there(size):
             assert (int(column), int(row)) == (view.columns[x - view.left], view.rows[y - view.top])
 
 
-def test_sand_is_the_brightest_thing_and_every_look_is_its_own():
-    def brightness(value):
-        return (value >> 16) * 0.3 + (value >> 8 & 255) * 0.59 + (value & 255) * 0.11
-
-    empty, grain, wall, surface = palette().astype(int)
-    assert brightness(grain).min() > brightness(wall).max() + 20 > brightness(empty).max() + 40
-    assert brightness(surface).min() > brightness(grain).max()
-    assert brightness(rgb(*GROUND)) < brightness(empty).min()
-
-
 def test_all_shades_are_used_about_equally():
     counts = np.bincount(texture().ravel(), minlength=SHADES)
     assert len(counts) == SHADES and counts.min() > 0.7 * TEXTURE**2 / SHADES
@@ -84,8 +68,8 @@ def test_what_is_drawn_piece_by_piece_is_the_whole_picture(size):
         advance(world, rule, int(generator.integers(0, 60)))
         if number % 7 == 0:
             row = float(generator.integers(1400))
-            material = list(MATERIALS)[int(generator.integers(3))]
-            apply(Paint(material, (150.5, row + 0.5), (160.5, row + 0.5), 3), world, rule)
+            material = ("sand", "wall", "erase")[generator.integers(3)]
+            apply(Paint(material, (150.5, row + 0.5), (160.5, row + 0.5), 3, over_walls=True), world, rule)
         drawn += sum(bottom - top for top, bottom in painter.draw(world, pixels))
         whole = np.zeros_like(pixels)
         Painter(view).draw(world, whole)

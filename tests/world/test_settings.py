@@ -14,7 +14,7 @@ from game.world.option import Switch
 from game.world.saving import FileError
 from game.world.settings import ROWS, Settings
 
-CHANGED = {"theme": "night", "ui_scale": 1.5, "sound": True, "hints_seen": ("paint", "flip"), "brush": 12}
+CHANGED = {"theme": "day", "ui_scale": 1.5, "sound": True, "hints_seen": ("paint", "flip"), "brush": 12}
 
 
 @pytest.fixture
@@ -74,7 +74,7 @@ def test_a_bad_line_is_named_and_costs_no_other(path, line, told):
     found = edited(path, b"volume = 0.25\n" + line + b"\nsmooth_streams = false\n")
     assert found.problem == f"{path}: {told}; the default is used"
     assert found["volume"] == 0.25 and not found["smooth_streams"]
-    assert found["theme"] == "day" and found["ui_scale"] == 1.0 and found["brush"] == 6
+    assert found["theme"] == "night" and found["ui_scale"] == 1.0 and found["brush"] == 6
 
 
 def test_a_bad_line_is_told_of_once_and_stays_in_the_file(path):
@@ -88,14 +88,14 @@ def test_what_another_version_wrote_is_kept(path):
     later = 'version = 7\nlustre = "high"\nvolume = 0.75\n[sky]\nstars = 3\n'
     assert edited(path, later).problem is None
     for _ in range(2):
-        found = tomllib.loads(saved(path, theme="night"))
-        assert found == {"version": 7, "lustre": "high", "volume": 0.75, "theme": "night", "sky": {"stars": 3}}
+        found = tomllib.loads(saved(path, theme="day"))
+        assert found == {"version": 7, "lustre": "high", "volume": 0.75, "theme": "day", "sky": {"stars": 3}}
 
 
 def test_a_setting_that_a_later_version_adds_has_its_default(path):
-    saved(path, theme="night")
+    saved(path, theme="day")
     found = Settings(path, (*ROWS, Switch("lustre", True, "shine")))
-    assert found["lustre"] and found["theme"] == "night" and found.problem is None
+    assert found["lustre"] and found["theme"] == "day" and found.problem is None
 
 
 def test_a_flag_wins_and_is_not_saved(path):
@@ -103,7 +103,7 @@ def test_a_flag_wins_and_is_not_saved(path):
     found = Settings(path)
     found.override("ui_scale", 2)
     assert found["ui_scale"] == 2 and not found.unsaved
-    found["theme"] = "night"
+    found["theme"] = "day"
     found.take_unsaved()()
     assert Settings(path)["ui_scale"] == 1.25
     found["ui_scale"] = 3
@@ -112,10 +112,10 @@ def test_a_flag_wins_and_is_not_saved(path):
 
 def test_two_windows_keep_what_the_other_changed(path):
     one, other = Settings(path), Settings(path)
-    one["theme"], other["volume"] = "night", 0.1
+    one["theme"], other["volume"] = "day", 0.1
     for each in (one, other):
         each.take_unsaved()()
-    assert (Settings(path)["theme"], Settings(path)["volume"]) == ("night", 0.1)
+    assert (Settings(path)["theme"], Settings(path)["volume"]) == ("day", 0.1)
 
 
 def test_many_windows_at_once_lose_nothing(path):
@@ -144,17 +144,17 @@ def test_only_what_is_allowed_can_be_set():
 def test_a_file_that_cannot_be_read_or_written_is_told_in_one_line(tmp_path, monkeypatch):
     (tmp_path / "folder").mkdir()
     found = Settings(tmp_path / "folder")
-    assert "found a folder" in found.problem and found["theme"] == "day"
+    assert "found a folder" in found.problem and found["theme"] == "night"
     (tmp_path / "file").write_text("")
     other = Settings(tmp_path / "file" / "settings.toml")
-    other["theme"] = "night"
+    other["theme"] = "day"
     with pytest.raises(FileError, match="cannot save"):
         other.take_unsaved()()
     monkeypatch.setattr(module, "LARGEST_FILE", 100)
     assert "at most 100 bytes" in edited(tmp_path / "large.toml", "#" * 101).problem
 
 
-WHOLE = b'version = 1\ntheme = "night"\nui_scale = 1.5\nhints_seen = ["paint", "flip"]\nother = 3\nsound = true\n'
+WHOLE = b'version = 1\ntheme = "day"\nui_scale = 1.5\nhints_seen = ["paint", "flip"]\nother = 3\nsound = true\n'
 PIECES = st.one_of(
     st.binary(max_size=4), st.sampled_from([b"\n", b"[", b"[[a]]\n", b"=", b'"', b"#?", b"'''", b"\r\n"])
 )

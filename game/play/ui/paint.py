@@ -1,7 +1,7 @@
 """The strokes a panel is drawn with.
 
 A drawing is a list of tuples (stroke, rect, ...): a value, so that two frames can be compared before either is drawn.
-Each stroke takes (surface, theme, rect moved to its place, ...).
+Each stroke takes (surface, theme, rect moved to its place, ...). A colour is a role that the theme knows, or RGB.
 """
 
 import pygame
@@ -27,16 +27,16 @@ def draw(surface, theme, strokes, shift=(0, 0)):
 
 def fill(surface, theme, rect, colour):
     """Fill a rectangle."""
-    surface.fill(colour, rect)
+    surface.fill(theme.rgb(colour), rect)
 
 
 def box(surface, theme, rect, colour, radius):
     """Fill a rectangle with round corners."""
     x, y, width, height = rect
     radius = min(radius, width // 2, height // 2)
-    surface.fill(colour, (x + radius, y, width - 2 * radius, height))
-    surface.fill(colour, (x, y + radius, radius, height - 2 * radius))
-    surface.fill(colour, (x + width - radius, y + radius, radius, height - 2 * radius))
+    surface.fill(theme.rgb(colour), (x + radius, y, width - 2 * radius, height))
+    surface.fill(theme.rgb(colour), (x, y + radius, radius, height - 2 * radius))
+    surface.fill(theme.rgb(colour), (x + width - radius, y + radius, radius, height - 2 * radius))
     _blit_corners(surface, theme, rect, colour, radius, 0)
 
 
@@ -45,9 +45,9 @@ def ring(surface, theme, rect, colour, radius, stroke):
     x, y, width, height = rect
     radius = min(radius, width // 2, height // 2)
     for top in (y, y + height - stroke):
-        surface.fill(colour, (x + radius, top, width - 2 * radius, stroke))
+        surface.fill(theme.rgb(colour), (x + radius, top, width - 2 * radius, stroke))
     for left in (x, x + width - stroke):
-        surface.fill(colour, (left, y + radius, stroke, height - 2 * radius))
+        surface.fill(theme.rgb(colour), (left, y + radius, stroke, height - 2 * radius))
     _blit_corners(surface, theme, rect, colour, radius, stroke)
 
 
@@ -83,7 +83,7 @@ def block(surface, theme, rect, corners):
     x, y, width, _ = rect
     gap = theme.px(1)
     cell = (width - 3 * gap) // 2
-    surface.fill(look.EDGE, (x, y, 2 * cell + 3 * gap, 2 * cell + 3 * gap))
+    surface.fill(theme.rgb(look.EDGE), (x, y, 2 * cell + 3 * gap, 2 * cell + 3 * gap))
     for index, corner in enumerate(corners):
         place = x + gap + (index % 2) * (cell + gap), y + gap + (index // 2) * (cell + gap)
-        surface.fill(CELL_COLOURS[corner], pygame.Rect(place, (cell, cell)))
+        surface.fill(theme.rgb(CELL_COLOURS[corner]), pygame.Rect(place, (cell, cell)))

@@ -6,26 +6,27 @@ import pygame
 
 from game.world import knob
 from game.world.assets import asset
+from game.world.colours import NIGHT
 
 FONT_FILE = asset("font", "NotoSans-Regular.ttf")
 
-# Kept darker than the sand, which is to be the brightest thing on the screen.
-GROUND = (38, 34, 30)
-RAISED = (60, 54, 47)  # buttons, boxes, tooltips
-HOVER = (72, 65, 56)
-PRESSED = (50, 45, 39)
-GROOVE = (68, 61, 54)  # the empty part of a track
-SUNKEN = (29, 26, 23)
-EDGE = (92, 83, 72)
-TEXT = (228, 219, 203)
-DIM = (160, 149, 133)
-FAINT = (128, 118, 104)
-ACCENT = (210, 156, 68)
-BRIGHT_ACCENT = (228, 178, 92)
-HANDLE = (240, 216, 164)
-BRIGHT_HANDLE = (252, 236, 200)
-STONE = (112, 103, 92)  # an occupied cell in a picture, be it sand or wall
-RING = (116, 172, 220)
+# Roles of colours: strokes name them, and the theme says when they are drawn what colour that is.
+GROUND = "ground"
+RAISED = "raised"  # buttons, boxes, tooltips
+HOVER = "hover"
+PRESSED = "pressed"
+GROOVE = "groove"  # the empty part of a track
+SUNKEN = "sunken"
+EDGE = "edge"
+TEXT = "text"
+DIM = "dim"
+FAINT = "faint"
+ACCENT = "accent"
+BRIGHT_ACCENT = "bright accent"
+HANDLE = "handle"
+BRIGHT_HANDLE = "bright handle"
+STONE = "stone"  # an occupied cell in a picture, be it sand or wall
+RING = "ring"
 
 # Text sizes in pixels at scale 1.
 BODY = 14
@@ -36,10 +37,11 @@ SMOOTHING = 8  # sprites are drawn this many times larger and shrunk
 
 
 class Theme:
-    """Everything a panel is drawn with at one UI scale; make a new one to change the scale."""
+    """Everything a panel is drawn with at one UI scale and in one set of colours; make a new one to change either."""
 
-    def __init__(self, scale=knob.UI_SCALE.default):
+    def __init__(self, scale=knob.UI_SCALE.default, colours=NIGHT):
         self.scale = knob.UI_SCALE.check(scale)
+        self.colours = colours
         self.px = lru_cache(maxsize=256)(self._px)
         pygame.font.init()
         self._fonts = {size: pygame.font.Font(str(FONT_FILE), self.px(size)) for size in (BODY, HEADING, SMALL)}
@@ -55,6 +57,10 @@ class Theme:
         """Return `size`, given in pixels at scale 1, in whole pixels of the screen, at least 1."""
         return max(1, round(size * self.scale))
 
+    def rgb(self, colour):
+        """Return the RGB of a role; RGB stays as it is."""
+        return self.colours.panel[colour] if isinstance(colour, str) else colour
+
     def line_height(self, size):
         """Return the height in pixels of a line of text."""
         return self._fonts[size].get_linesize()
@@ -65,7 +71,7 @@ class Theme:
 
     def _words(self, text, size, colour):
         """Return one line of text as a surface."""
-        return self._fonts[size].render(text, True, colour)
+        return self._fonts[size].render(text, True, self.rgb(colour))
 
     def _fitted(self, text, size, width):
         """Return `text`, cut and ended with … where it is wider than `width` pixels."""
@@ -88,7 +94,7 @@ class Theme:
 
     def _corners(self, radius, colour, stroke):
         """Return the four quarters of a disc, or of a ring `stroke` pixels thick, from the upper left clockwise."""
-        big = radius * SMOOTHING
+        big, colour = radius * SMOOTHING, self.rgb(colour)
 
         def quarter(canvas):
             pygame.draw.circle(canvas, colour, (big, big), big)
@@ -101,12 +107,13 @@ class Theme:
 
     def _disc(self, diameter, colour):
         """Return a filled circle."""
-        big = diameter * SMOOTHING / 2
+        big, colour = diameter * SMOOTHING / 2, self.rgb(colour)
         return _smooth((diameter, diameter), colour, lambda canvas: pygame.draw.circle(canvas, colour, (big, big), big))
 
     def _polygon(self, size, points, colour):
         """Return a polygon whose points are given as fractions of `size` (width, height)."""
         big = [(x * size[0] * SMOOTHING, y * size[1] * SMOOTHING) for x, y in points]
+        colour = self.rgb(colour)
         return _smooth(size, colour, lambda canvas: pygame.draw.polygon(canvas, colour, big))
 
 

@@ -81,7 +81,14 @@ class Ui:
             self.stroke(paint.ring, ring, look.RING, self.theme.px(5), max(1, int(1.5 * self.theme.scale)))
         self.focus.settle(self._slots, self._y + self.theme.px(PAD))
         drawing = self._strokes + list(self._overlay())
-        now = self._rect, self.theme.scale, surface.get_size(), self.focus.scroll.offset, drawing
+        now = (
+            self._rect,
+            self.theme.scale,
+            self.theme.colours.name,
+            surface.get_size(),
+            self.focus.scroll.offset,
+            drawing,
+        )
         self.dirty = now != self._drawn
         if self.dirty:
             self._draw(surface, drawing)
@@ -204,6 +211,6 @@ class Ui:
     def _draw(self, surface, drawing):
         clip = surface.get_clip()
         surface.set_clip(self._rect.clip(clip))
-        surface.fill(look.GROUND, self._rect)
+        surface.fill(self.theme.rgb(look.GROUND), self._rect)
         paint.draw(surface, self.theme, drawing, (self._rect.x, self._rect.y - self.focus.scroll.offset))
         surface.set_clip(clip)

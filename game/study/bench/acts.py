@@ -2,13 +2,15 @@
 
 import numpy as np
 
+from game.core.pixels import AIR, AIR_BY_WALL, EDGE, GRAIN, GRAIN_BY_WALL, RIM, SURFACE, UNDER, WALL
 from game.study.bench import table, worlds
 from game.study.bench.candidates import ours
 from game.study.bench.checks import WrongCellsError, same_as_twin
 from game.study.bench.rounds import Candidate, take_turns
 from game.study.bench.table import Column, Table
 from game.world.action import Paint, apply
-from game.world.picture import Painter, View, palette, texture
+from game.world.colours import NIGHT, palette
+from game.world.picture import Painter, View, texture
 
 COLUMNS = (
     Column("name", "act"),
@@ -95,10 +97,26 @@ def _check(world):
 
 def _plain_pixels(sand, walls):
     """Return what a window at one pixel a cell shows: (H, W) uint32."""
-    above = np.zeros_like(sand)
-    above[1:] = (sand | walls)[:-1]
-    looks = np.where(walls, 2, np.where(sand, np.where(above, 1, 3), 0))
+    beyond = np.pad(walls, 1, constant_values=True)
+    beyond[0] = False  # light comes in from above
+    above, below, left, right = beyond[:-2, 1:-1], beyond[2:, 1:-1], beyond[1:-1, :-2], beyond[1:-1, 2:]
+    fallen = np.pad(sand, ((2, 0), (0, 0)))
+    covered = fallen[:-2] | np.pad(walls, ((2, 0), (0, 0)))[:-2]
+    surface = sand & ~fallen[1:-1] & ~above
+    beside = sand & ~surface & (left | right | above)
+    rim = walls & ~(left & above)
+    kinds = {
+        AIR_BY_WALL: ~sand & ~walls & (left | right | above | below),
+        SURFACE: surface,
+        GRAIN_BY_WALL: beside,
+        UNDER: sand & ~beside & fallen[1:-1] & ~covered,
+        GRAIN: sand,
+        RIM: rim,
+        EDGE: walls & ~rim & ~(right & below),
+        WALL: walls,
+    }
+    looks = np.select(list(kinds.values()), list(kinds), AIR)
     shades = texture()
     height, width = sand.shape
     tiles = [-(-side // len(shades)) for side in (height, width)]
-    return palette()[looks, np.tile(shades, tiles)[:height, :width]]
+    return palette(NIGHT)[looks, np.tile(shades, tiles)[:height, :width]]

@@ -1,0 +1,218 @@
+"""Themes: which colours the window and the sand have, as values. No window is needed."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from game.core.pixels import (
+    AIR,
+    AIR_BY_WALL,
+    EDGE,
+    GLEAM,
+    GRAIN,
+    GRAIN_BY_WALL,
+    INSIDE,
+    INSIDE_BY_WALL,
+    LOOKS,
+    POST,
+    RIM,
+    SHADES,
+    SURFACE,
+    UNDER,
+    WALL,
+    WOOD,
+    WOOD_EDGE,
+    WOOD_RIM,
+)
+
+WALL_LOOKS = ("stone", "glass", "wood")  # what a scene's walls can be made of; in glass its long level runs are wooden
+
+
+class Range(NamedTuple):
+    """The darkest and the lightest shade of a look, as RGB in 0 … 255."""
+
+    dark: tuple
+    light: tuple
+
+
+class Walls(NamedTuple):
+    """The look of one kind of walls."""
+
+    body: Range
+    rim: Range  # where light falls on it
+    edge: Range  # where none does
+
+
+class Colours(NamedTuple):
+    """The colours of a theme, RGB in 0 … 255."""
+
+    name: str
+    ground: tuple  # around the lattice
+    air: dict  # {look: Range} of what is neither sand nor wall
+    sand: dict  # {look: Range}
+    walls: dict  # {one of WALL_LOOKS: Walls}
+    panel: dict  # {role: RGB} of the controls and the words
+
+    def looks(self, walls="stone"):
+        """Return {look: Range} of all looks in a scene whose walls are made of `walls`."""
+        made_of, wood = self.walls[walls], self.walls["wood"]
+        return {
+            **self.air,
+            **self.sand,
+            **dict(zip((WALL, RIM, EDGE), made_of, strict=True)),
+            **dict(zip((WOOD, WOOD_RIM, WOOD_EDGE), wood, strict=True)),
+        }
+
+    def mean(self, look, walls="stone"):
+        """Return the mean colour of a look, RGB as floats: what many cells of it look like from afar."""
+        dark, light = self.looks(walls)[look]
+        return tuple((d + bright) / 2 for d, bright in zip(dark, light, strict=True))
+
+
+def rgb(red, green, blue):
+    """Return the pixel value 0xRRGGBB."""
+    return red << 16 | green << 8 | blue
+
+
+def palette(colours, walls="stone", map_rgb=rgb):
+    """Return the (LOOKS, SHADES) uint32 pixel values, `map_rgb` turning red, green, blue in 0 … 255 into one."""
+    values = np.empty((LOOKS, SHADES), np.uint32)
+    for look, (dark, light) in sorted(colours.looks(walls).items()):
+        for shade in range(SHADES):
+            mixed = (d + (bright - d) * shade // (SHADES - 1) for d, bright in zip(dark, light, strict=True))
+            values[look, shade] = map_rgb(*mixed)
+    return values
+
+
+def _flat(*colour):
+    return Range(colour, colour)
+
+
+NIGHT = Colours(
+    name="night",
+    ground=(24, 21, 18),
+    air={
+        AIR: _flat(34, 30, 26),
+        AIR_BY_WALL: _flat(26, 23, 20),
+        INSIDE: _flat(40, 39, 37),
+        INSIDE_BY_WALL: _flat(31, 31, 30),
+        GLEAM: _flat(54, 55, 54),
+        POST: Range((74, 51, 33), (82, 57, 37)),
+    },
+    sand={
+        GRAIN: Range((194, 140, 62), (222, 171, 88)),
+        SURFACE: Range((246, 206, 126), (255, 226, 154)),
+        UNDER: Range((220, 168, 86), (238, 194, 110)),
+        GRAIN_BY_WALL: Range((158, 110, 47), (182, 132, 62)),
+    },
+    walls={
+        "stone": Walls(Range((92, 97, 98), (104, 109, 110)), _flat(130, 136, 137), _flat(70, 74, 75)),
+        "glass": Walls(_flat(74, 86, 90), _flat(142, 162, 166), _flat(104, 122, 127)),
+        "wood": Walls(Range((112, 76, 46), (126, 87, 54)), _flat(158, 115, 73), _flat(78, 52, 32)),
+    },
+    # kept darker than the sand, which is to be the brightest thing on the screen
+    panel={
+        "ground": (38, 34, 30),
+        "raised": (60, 54, 47),
+        "hover": (72, 65, 56),
+        "pressed": (50, 45, 39),
+        "groove": (68, 61, 54),
+        "sunken": (29, 26, 23),
+        "edge": (92, 83, 72),
+        "text": (228, 219, 203),
+        "dim": (168, 157, 141),
+        "faint": (148, 138, 123),
+        "accent": (210, 156, 68),
+        "bright accent": (228, 178, 92),
+        "handle": (240, 216, 164),
+        "bright handle": (252, 236, 200),
+        "stone": (112, 103, 92),
+        "ring": (116, 172, 220),
+    },
+)
+
+DAY = Colours(
+    name="day",
+    ground=(222, 214, 200),
+    air={
+        AIR: _flat(239, 233, 221),
+        AIR_BY_WALL: _flat(222, 214, 200),
+        INSIDE: _flat(246, 243, 236),
+        INSIDE_BY_WALL: _flat(226, 223, 216),
+        GLEAM: _flat(255, 255, 253),
+        POST: Range((176, 142, 106), (182, 148, 112)),
+    },
+    sand={
+        GRAIN: Range((190, 118, 30), (214, 144, 52)),
+        SURFACE: Range((232, 166, 66), (243, 184, 88)),
+        UNDER: Range((212, 142, 48), (228, 160, 66)),
+        GRAIN_BY_WALL: Range((152, 92, 22), (174, 110, 34)),
+    },
+    walls={
+        "stone": Walls(Range((112, 116, 118), (122, 126, 128)), _flat(150, 154, 156), _flat(84, 88, 90)),
+        "glass": Walls(_flat(178, 200, 206), _flat(104, 136, 146), _flat(134, 162, 170)),
+        "wood": Walls(Range((128, 86, 50), (142, 97, 58)), _flat(172, 124, 78), _flat(94, 61, 34)),
+    },
+    panel={
+        "ground": (243, 238, 229),
+        "raised": (226, 218, 204),
+        "hover": (214, 204, 188),
+        "pressed": (234, 228, 216),
+        "groove": (208, 198, 182),
+        "sunken": (252, 249, 243),
+        "edge": (168, 156, 138),
+        "text": (48, 42, 35),
+        "dim": (86, 77, 66),
+        "faint": (98, 88, 76),
+        "accent": (178, 106, 16),
+        "bright accent": (150, 86, 6),
+        "handle": (120, 70, 8),
+        "bright handle": (92, 52, 4),
+        "stone": (132, 122, 108),
+        "ring": (24, 102, 176),
+    },
+)
+
+HIGH_CONTRAST = Colours(
+    name="high-contrast",
+    ground=(0, 0, 0),
+    air={
+        AIR: _flat(0, 0, 0),
+        AIR_BY_WALL: _flat(0, 0, 0),
+        INSIDE: _flat(10, 12, 20),
+        INSIDE_BY_WALL: _flat(0, 0, 0),
+        GLEAM: _flat(38, 44, 58),
+        POST: _flat(88, 52, 28),
+    },
+    sand={
+        GRAIN: Range((240, 178, 40), (255, 200, 70)),
+        SURFACE: _flat(255, 240, 170),
+        UNDER: Range((250, 205, 80), (255, 220, 110)),
+        GRAIN_BY_WALL: Range((214, 146, 20), (230, 164, 34)),
+    },
+    walls={
+        "stone": Walls(_flat(112, 124, 148), _flat(186, 198, 222), _flat(84, 94, 116)),
+        "glass": Walls(_flat(48, 82, 120), _flat(170, 214, 255), _flat(108, 160, 216)),
+        "wood": Walls(_flat(136, 84, 48), _flat(196, 136, 92), _flat(96, 58, 32)),
+    },
+    panel={
+        "ground": (0, 0, 0),
+        "raised": (34, 34, 34),
+        "hover": (62, 62, 62),
+        "pressed": (20, 20, 20),
+        "groove": (70, 70, 70),
+        "sunken": (12, 12, 12),
+        "edge": (190, 190, 190),
+        "text": (255, 255, 255),
+        "dim": (224, 224, 224),
+        "faint": (200, 200, 200),
+        "accent": (255, 190, 50),
+        "bright accent": (255, 214, 110),
+        "handle": (255, 236, 180),
+        "bright handle": (255, 255, 255),
+        "stone": (140, 150, 170),
+        "ring": (90, 200, 255),
+    },
+)
+
+THEMES = {colours.name: colours for colours in (NIGHT, DAY, HIGH_CONTRAST)}
