@@ -125,6 +125,10 @@ class Commands:
         self.toy.panel_shown = not self.toy.panel_shown
         self.toy.lay_out_anew()
 
+    def toggle_forecast(self):
+        """Show where the sand will be, or no longer."""
+        self.toy.forecasting.toggle()
+
     def toggle_fullscreen(self):
         """Fill the screen, or go back."""
         self.toy.window.toggle_fullscreen()

@@ -57,6 +57,9 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("", (pygame.K_RIGHTBRACKET,), "larger_brush", ""),
         Key("Shift+D", (pygame.K_d,), "next_shape", "round, square, diamond", SHIFT),
     ),
+    "A closer look": (
+        Key("H", (pygame.K_h,), "toggle_forecast", "where the sand will be"),
+    ),
     "Scenes and pictures": (
         Key("Ctrl+S", (pygame.K_s,), "save", "save the scene", CTRL),
         Key("Ctrl+O", (pygame.K_o,), "open_scenes", "open a saved scene", CTRL),

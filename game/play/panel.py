@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pygame
 
-from game.play import toolbox
+from game.play import outlook, toolbox
 from game.play.files import demos
 from game.world import knob
 from game.world.action import SetRule
@@ -51,6 +51,7 @@ class Panel:
         self._time(toy)
         self._past(toy)
         toolbox.show(self.ui, toy)
+        outlook.show(self.ui, toy)
         self._window(toy)
         return rest
 

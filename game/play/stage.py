@@ -13,6 +13,7 @@ class Stage:
         self.window = window
         self.area = pygame.Rect(0, 0, 1, 1)
         self.view = self.turn = None
+        self.veil = None  # what lies over the sand, part of the picture of it
         self._marks, self._overlay = (), None  # as last drawn
         self._bare = True  # nothing of the stage has been drawn yet
 
@@ -22,7 +23,8 @@ class Stage:
         self.area = pygame.Rect(area)
         inner = self.area.inflate(-2 * margin, -2 * margin)
         self.view = picture.View.fit(shape, *inner)
-        self._painter = picture.Painter(self.view, theme.colours, walls, lambda *colour: surface.map_rgb(colour))
+        self._map_rgb = lambda *colour: surface.map_rgb(colour)
+        self._painter = picture.Painter(self.view, theme.colours, walls, self._map_rgb)
         self.refresh()
 
     def refresh(self):
@@ -74,6 +76,8 @@ class Stage:
         damage = [(rect.top, rect.bottom) for rect in damaged]
         drawn = []
         self.window.paint(lambda pixels: drawn.extend(self._painter.draw(world, pixels, damage)))
+        if self.veil and drawn:
+            self.window.paint(lambda pixels: self.veil.draw(pixels, self.view, drawn, self._map_rgb))
         return drawn
 
     def _lay_over(self, overlay):

@@ -7,6 +7,7 @@ from game.play import hud, panel, timebar
 from game.play.background import Background
 from game.play.commands import Commands
 from game.play.files import Files
+from game.play.forecasting import Forecasting
 from game.play.gallery import Gallery
 from game.play.hearing import Hearing
 from game.play.help import Help
@@ -72,6 +73,12 @@ class Toy:
         self.overlays = [self.question, self.gallery, self.photo, self.notices]  # the last one lies on top
         self.hearing, self.stepping, self.screen = Hearing(self), Stepping(self), Screen(self)
         self.watchers = [self.recorder, self.keeper]  # what looks at each frame once it is shown, by `look(now_s)`
+        self._gather_instruments()
+
+    def _gather_instruments(self):
+        self.forecasting = Forecasting(self)
+        self.overlays.insert(0, self.forecasting)
+        self.watchers.append(self.forecasting)
 
     # --- what the parts ask of it ---
 
@@ -142,6 +149,7 @@ class Toy:
     def close(self):
         """End every session's journal and wait for what is being written."""
         self.recorder.stop()
+        self.forecasting.close()
         for session in (*self._former, self.session):
             self.recovery.close(session)
         self.keeper.close()

@@ -18,6 +18,7 @@ from game.world.rule import Rule
 from game.world.world import check_cells
 
 GROUP_WORDS = 2**23  # words in a group's cells, 64 MiB; more is faster on large lattices, but slow to lay out
+FEW_WORDS = 8  # words in the first group of a forecast that grows: so much is cheaper by the run than less
 BITE = 15_000  # work between two looks at `cancelled`, 1-10 ms; less costs speed on small lattices
 STATE_CELLS = 64  # cells of a lattice whose state fits a word
 
@@ -42,7 +43,12 @@ class Ensemble(NamedTuple):
     @property
     def weight(self):
         """How many runs a replica stands for: all of them where nothing is left to chance."""
-        return self.runs if all(threshold(p) in (0, CERTAIN) for p in self.rule.probabilities) else 1
+        return self.runs if certain(self.rule) else 1
+
+
+def certain(rule):
+    """Return whether `rule` leaves nothing to chance, so that all runs are alike."""
+    return all(threshold(p) in (0, CERTAIN) for p in rule.probabilities)
 
 
 def density(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
@@ -67,6 +73,19 @@ def counts_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=
     for moment, _, group in _follow(ensemble, moments, progress, cancelled):
         count_replicas(group.cells, ensemble.weight, counts[moment])
     return counts
+
+
+def growing_counts(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, cancelled=None):
+    """Yield (runs so far, how many of them have sand in each cell) after more and more runs, up to `runs`.
+
+    The counts are one (H, W) int64 array, added to in place: each time what `counts_at` gives for so many runs. The
+    rest is as for `density`.
+    """
+    ensemble, moments = _checked(sand, walls, rule, runs, seed, start), _checked_moments([iterations])
+    counts = np.zeros(ensemble.sand.shape, np.int64)
+    for _, first, group in _follow(ensemble, moments, cancelled=cancelled, few=FEW_WORDS):
+        count_replicas(group.cells, ensemble.weight, counts)
+        yield min(ensemble.runs, ensemble.weight * (first + group.cells.shape[2] * BITS)), counts
 
 
 def states_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
@@ -100,13 +119,22 @@ def _checked_moments(moments):
     return moments
 
 
-def _follow(ensemble, moments, progress, cancelled):
-    """Yield (number of the moment, number of the first run, replicas) for each group of runs at each moment."""
+def _groups(ensemble, few):
+    """Yield (number of the first run, runs) of each group; with `few` words to begin with, and then ever more."""
     replicas = ensemble.runs // ensemble.weight
-    size = BITS * max(1, min(MOST_WORDS, GROUP_WORDS // ensemble.sand.size))
-    work = replicas * max(moments, default=0)
-    for first in range(0, replicas, size):
-        here = min(size, replicas - first)
+    most = max(1, min(MOST_WORDS, GROUP_WORDS // ensemble.sand.size))
+    first, words = 0, min(few, most)
+    while first < replicas:
+        here = min(BITS * words, replicas - first)
+        yield first, here
+        first += here
+        words = min(2 * words, most)
+
+
+def _follow(ensemble, moments, progress=None, cancelled=None, few=MOST_WORDS):
+    """Yield (number of the moment, number of the first run, replicas) for each group of runs at each moment."""
+    work = ensemble.runs // ensemble.weight * max(moments, default=0)
+    for first, here in _groups(ensemble, few):
         group = replicate(ensemble.sand, ensemble.walls, ensemble.seed, first, here)
         now = 0
         for number, moment in enumerate(moments):

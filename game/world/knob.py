@@ -78,6 +78,7 @@ UI_SCALE = Knob("ui-scale", 1.0, 0.75, 3.0, "", "size of the panel and its text"
 FRAMES = Knob("frames", 240, 1, 1_000_000, "frames", "how many frames a headless run lasts", whole=True)
 ITERATIONS = Knob("iterations", 0, 0, 2**62, "", "how many iterations to run", whole=True)
 RUNS = Knob("runs", 10_000, 1, 10**9, "", "how many independent runs a forecast counts", whole=True)
+AHEAD = Knob("ahead", 200, 1, 10_000, "iterations", "how far ahead a forecast looks", whole=True)
 START = Knob("start", 0, 0, 2**128, "", "the iteration a forecast starts at", whole=True)
 MOMENT = Knob("at", 0, 0, 2**53, "iterations", "a moment of a session, since its beginning", whole=True)
 MEMORY = Knob("memory", 256, 1, 2**20, "MB", "how much memory the snapshots of the past may take", whole=True)

@@ -2,10 +2,15 @@
 
 import numpy as np
 
+from game.core.heat import lay_heat
 from game.core.pixels import draw_turned
 from game.world.action import Draw, Fill, Paint, apply
 from game.world.advance import advance
-from game.world.picture import Painter, View
+from game.world.forecast import growing_counts
+from game.world.forecaster import Question, answer_of
+from game.world.heat_colours import cover
+from game.world.part import Part, Still
+from game.world.picture import Painter, View, rgb
 from game.world.rule import Rule
 from game.world.world import World
 
@@ -29,7 +34,7 @@ def steps(rule):
 def later_steps(rule):
     """Return [(what, act)] for the kernels that a player may need next."""
     others = [(what, other) for what, other in KINDS.items() if what != _kind_of(rule)]
-    return [("the turn of the glass", _turn), ("the figures", _figures)] + [
+    return [("the turn of the glass", _turn), ("the figures", _figures), ("the forecast", _forecast)] + [
         (what, lambda other=other: advance(_dot(), other, 1)) for what, other in others
     ]
 
@@ -51,6 +56,14 @@ def _turn():
 def _figures():
     for act in (Draw("ellipse", "sand", (0.5, 0.5), (1.5, 1.5)), Fill("sand", (0.5, 0.5))):
         apply(act, _dot(), Rule())
+
+
+def _forecast():
+    world, rule = _dot(), Rule.with_p(0.5)
+    still, places = Still(world, Part(0, 0, 2, 2)), np.arange(2, dtype=np.int32)
+    for runs, counts in growing_counts(*still.cells, rule, 1, runs=1):
+        answer = answer_of(Question(still, rule, 1, 0, 0, 1), world.walls, counts, runs)
+    lay_heat(answer.levels, *cover(rgb), places, places, np.zeros((2, 2), np.uint32), 0, 0)
 
 
 def _kind_of(rule):

@@ -1,0 +1,100 @@
+"""The legend: what the colours of a forecast mean, for when it is, and how sure."""
+
+import pygame
+
+from game.play.card import draw_box
+from game.play.ui import paint
+from game.play.ui import theme as look
+from game.world.heat_colours import scale
+
+WIDTH = 226  # pixels at scale 1, with everything in it
+PAD = 10
+AWAY = 12  # from the corner of the sand
+BAR = 9
+REFRESH_S = 0.2  # numbers that follow the sand are written anew so often, so that they can be read
+UNKNOWN = "Forecast", "Computing the first runs …"
+
+
+class Legend:
+    """The card of a Forecasting, in the upper left corner of the sand."""
+
+    def __init__(self, toy, forecasting):
+        self._toy, self._forecasting = toy, forecasting
+        self._lines = UNKNOWN
+        self._written_s = None
+        self._about = None  # the answer that the lines tell of, and whether it is stale
+
+    def changed(self, now_s):
+        """Write the lines anew if it is time; return whether they say something else."""
+        about = self._forecasting.answer, self._forecasting.stale
+        if about == self._about and self._written_s is not None and now_s - self._written_s < REFRESH_S:
+            return False
+        before, self._lines = self._lines, self._write()
+        self._about, self._written_s = about, now_s
+        return self._lines != before
+
+    @property
+    def lines(self):
+        """What the card says: the title, and line by line what stands under the bar."""
+        return self._lines
+
+    def draw(self, surface, theme, area):
+        """Draw the card, where there is room for it."""
+        px, line = theme.px, theme.line_height(look.SMALL)
+        rect = pygame.Rect(area.x + px(AWAY), area.y + px(AWAY), px(WIDTH), 0)
+        rect.height = 2 * px(PAD) + px(24) + px(BAR) + line + px(4) + line * len(self._lines[1:])
+        if rect.right + px(AWAY) > area.right or 2 * rect.height > area.height:
+            return
+        draw_box(surface, theme, rect.inflate(-2 * px(5), -2 * px(5)))
+        stale, row = self._forecasting.stale, rect.inflate(-2 * px(PAD), -2 * px(PAD))
+        row.height = px(20)
+        paint.words(surface, theme, row, self._lines[0], look.HEADING, look.HANDLE, 0)
+        if stale:
+            paint.words(surface, theme, row, "stale", look.BODY, look.BRIGHT_ACCENT, 1)
+        row.y, row.height = row.y + px(24), px(BAR)
+        _draw_bar(surface, row, stale)
+        row.y, row.height = row.bottom, line
+        for share, align in (("never", 0), ("50 %", 0.5), ("always", 1)):
+            paint.words(surface, theme, row, share, look.SMALL, look.FAINT, align)
+        row.y += line + px(4)
+        for text in self._lines[1:]:
+            paint.words(surface, theme, row, text, look.SMALL, look.DIM, 0)
+            row.y += line
+
+    def _title(self):
+        answer, session = self._forecasting.answer, self._toy.session
+        goal = session.now - session.world.iteration + answer.question.start + answer.question.ahead
+        return f"Sand at iteration {goal:,}"
+
+    def _write(self):
+        answer, shape = self._forecasting.answer, self._toy.session.world.shape
+        if answer is None:
+            return UNKNOWN
+        ago = self._toy.session.world.iteration - answer.question.start
+        when = f"{answer.question.ahead:,} ahead, computed {f'{ago:,} ago' if ago else 'now'}"
+        lines = [self._title(), _said_of_runs(answer), when, self._here()]
+        part, exact = answer.question.still.part, answer.question.about[0].exact
+        if (part.height, part.width) != shape:
+            lines.append(f"Of {part.width:,}×{part.height:,} cells in sight{'' if exact else ', as if walled in'}")
+        return tuple(line for line in lines if line)
+
+    def _here(self):
+        """Return what the forecast says of the cell under the pointer."""
+        pointer = self._toy.hearing.pointer
+        if pointer is None:
+            return ""
+        column, row = self._toy.stage.view.place(*pointer)
+        found = self._forecasting.share_at(int(row), int(column))
+        return "" if found is None else f"Here {100 * found[0]:.1f} ± {100 * found[1]:.1f} %"
+
+
+def _said_of_runs(answer):
+    if answer.certain:
+        return "Nothing is left to chance"
+    return f"{answer.runs:,} runs: ± {100 * answer.error:.1f} % at most"
+
+
+def _draw_bar(surface, rect, stale):
+    colours = scale(stale)
+    for x in range(rect.width):
+        surface.fill(colours[x * 254 // max(1, rect.width - 1)].tolist(), (rect.x + x, rect.y, 1, rect.height))

@@ -1,0 +1,48 @@
+"""Heat: counts become levels, and levels lie over a picture once, where they belong."""
+
+import numpy as np
+
+from game.core.heat import ALWAYS, LEVELS, NEVER, SOLID, heat_levels, lay_heat
+
+
+def levels_of(counts, runs, walls=None):
+    counts = np.atleast_2d(np.array(counts, np.int64))
+    levels = np.zeros(counts.shape, np.uint8)
+    heat_levels(counts, runs, np.zeros(counts.shape, bool) if walls is None else walls, levels)
+    return levels
+
+
+def test_only_what_no_run_saw_is_never_and_only_what_all_saw_is_always():
+    for runs in (1, 2, 512, 10_000, 10**9):
+        counts = np.unique(np.linspace(0, runs, 1001).astype(np.int64))
+        levels = levels_of(counts, runs)[0].astype(int)
+        assert levels[0] == NEVER and levels[-1] == ALWAYS
+        assert (np.diff(levels) >= 0).all()
+        if len(counts) > 2:
+            assert levels[1] > NEVER and levels[-2] < ALWAYS
+            assert np.abs(levels - counts / runs * ALWAYS).max() <= 1
+
+
+def test_walls_have_a_level_of_their_own():
+    walls = np.array([[True, False]])
+    assert levels_of([[0, 5]], 5, walls).tolist() == [[SOLID, ALWAYS]]
+
+
+def test_a_pixel_keeps_its_share_and_gets_the_rest():
+    generator = np.random.default_rng(70)
+    levels = generator.integers(0, LEVELS, (5, 7)).astype(np.uint8)
+    kept = np.arange(1, LEVELS + 1, dtype=np.uint32)
+    laid = (LEVELS - kept) // 2 * np.uint32(0x010101)
+    columns, rows = np.sort(generator.integers(0, 7, 20)).astype(np.int32), np.repeat(np.arange(5, dtype=np.int32), 3)
+    pixels = generator.integers(0, 2**24, (20, 30)).astype(np.uint32)
+    before = pixels.copy()
+    lay_heat(levels, kept, laid, columns, rows, pixels, 2, 4)
+    for i, row in enumerate(rows):
+        for j, column in enumerate(columns):
+            level = levels[row, column]
+            for byte in (0, 8, 16):
+                old = int(before[2 + i, 4 + j]) >> byte & 255
+                new = int(pixels[2 + i, 4 + j]) >> byte & 255
+                assert new == (old * int(kept[level]) >> 8) + (int(laid[level]) >> byte & 255)
+    before[2:17, 4:24] = pixels[2:17, 4:24]
+    assert (pixels == before).all()
