@@ -33,6 +33,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("F", (pygame.K_f,), "flip", "turn the glass over"),
         Key("R", (pygame.K_r,), "restart", "start the scene again"),
         Key("C", (pygame.K_c,), "clear", "take all sand away"),
+        Key("H", (pygame.K_h,), "toggle_forecast", "where it will be"),
     ),
     "Tools": (
         Key("Left button", (), "", "paint with the tool"),
@@ -56,9 +57,6 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("Wheel, [ ]", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller, larger brush"),
         Key("", (pygame.K_RIGHTBRACKET,), "larger_brush", ""),
         Key("Shift+D", (pygame.K_d,), "next_shape", "round, square, diamond", SHIFT),
-    ),
-    "A closer look": (
-        Key("H", (pygame.K_h,), "toggle_forecast", "where the sand will be"),
     ),
     "Scenes and pictures": (
         Key("Ctrl+S", (pygame.K_s,), "save", "save the scene", CTRL),
