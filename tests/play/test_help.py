@@ -45,7 +45,7 @@ def test_half_as_many_keys_again_still_fit(monkeypatch):
 
 
 def test_every_key_gives_a_command_that_there_is():
-    assert all(hasattr(Commands, key.command) for key in keys.KEYS if key.codes)
+    assert all(hasattr(Commands, key.command.split()[0]) for key in keys.KEYS if key.codes)
 
 
 def test_no_two_commands_share_a_key():
