@@ -87,6 +87,31 @@ def pegs(left, top, width, height, size, across, down):
     return Region(left, top, left + width, top + height, inside)
 
 
+def slats(left, top, width, height, size, thickness, share, seed):
+    """Return slanting bars, corner to corner in squares of a grid in a rectangle, to either side by chance.
+
+    share: the part of the squares that have one. seed: picks which, and their slants.
+    """
+    within = _within(left, top, width, height)
+
+    def inside(x, y):
+        column, row = np.floor((x - left) / size), np.floor((y - top) / size)
+        along, down = x - left - column * size, y - top - row * size
+        coin = _coin(column.astype(np.int64), row.astype(np.int64), seed)
+        rises, there = coin & 1 == 1, coin >> 1 < share * 2**15
+        beside = np.abs(np.where(rises, along + down - size, along - down)) / np.sqrt(2)
+        return within(x, y) & (beside <= thickness / 2 + TIE) & there
+
+    return Region(left, top, left + width, top + height, inside)
+
+
+def _coin(column, row, seed):
+    """Return a number in [0, 2**16) for each square, (H, W) int64: the same for the same square and seed."""
+    z = column * 0x9E3779B1 + row * 0x85EBCA77 + seed * 0xC2B2AE3D
+    z = (z ^ (z >> 15)) * 0x2C1B3C6D & 0xFFFFFFFF
+    return (z ^ (z >> 12)) & 0xFFFF
+
+
 def _within(left, top, width, height):
     right, bottom = left + width, top + height
     return lambda x, y: (x >= left - TIE) & (x < right - TIE) & (y >= top - TIE) & (y < bottom - TIE)

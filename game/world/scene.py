@@ -17,7 +17,10 @@ from game.world.world import World
 
 __all__ = ["Scene", "SceneError", "load_scene", "scene_names"]
 
-ORDER = ("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "fullhd", "blank")  # as shown; others follow
+ORDER = (  # as shown; others follow
+    *("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "maze", "tower", "city", "marbles", "delta"),
+    *("silo", "clocks", "fullhd", "blank"),
+)
 SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
 SIDES = ("height", "width")
 KEYS = ("title", "notice", *SIDES, *SOURCES, "walls", "rule", "speed", "cell")

@@ -11,6 +11,9 @@ from game.world.knob import SIDE, Knob
 from game.world.table import Table
 
 PLACE = Knob("place", 0.0, -SIDE.high, SIDE.high, "cells", "a distance from the left or upper side of the scene")
+REPEAT = Knob("repeat", 1, 1, 1000, "", "how often a shape is painted", whole=True)
+PICK = Knob("seed", 0, 0, 2**31, "", "picks one of the possible patterns", whole=True)
+SHARE = Knob("share", 1.0, 0.0, 1.0, "", "part of the places that are taken")
 LENGTH = Knob("length", 1.0, 0.01, SIDE.high, "cells", "the size of a shape, or of a part of it")
 BOX = ("x", "y", "width", "height")  # a shape's left, top and size; left out, the whole scene
 BAND = 128  # rows painted at a time: bounds the memory that painting takes on the largest lattice
@@ -30,6 +33,31 @@ def paint(cells, table, scale):
     """Paint on `cells`, in place, the shape that `table` describes; raise SceneError where it does not."""
     kind = table.choice("kind", ("hourglass", *KINDS))
     table = Table(table.file, table.values, f"{table.where[:-1]} ({kind}).")
+    for each in _repeated(table):
+        _paint_once(cells, kind, each, scale)
+
+
+def _repeated(table):
+    """Yield the tables of a shape that is painted `repeat` = [across, down] times, a `step` = [x, y] apart."""
+    across, down = table.pair("repeat", REPEAT, (1, 1))
+    if across * down > REPEAT.high:
+        raise table.error("repeat", f"{across}·{down}", f"{REPEAT.high} at most in all")
+    x, y = table.pair("step", PLACE, (0.0, 0.0))
+    plain = {key: value for key, value in table.values.items() if key not in ("repeat", "step")}
+    yield Table(table.file, plain, table.where)  # checked as it is written, before it is moved
+    for number in range(1, across * down):
+        by = number % across * x, number // across * y
+        yield Table(table.file, plain | _moved(plain, *by), table.where)
+
+
+def _moved(values, x, y):
+    """Return the keys of a shape that say where it lies, moved."""
+    if "points" in values:
+        return {"points": [[left + x, top + y] for left, top in values["points"]]}
+    return {"x": values.get("x", 0.0) + x, "y": values.get("y", 0.0) + y}
+
+
+def _paint_once(cells, kind, table, scale):
     if kind == "hourglass":
         _paint_hourglass(cells, table, scale)
         return
@@ -97,6 +125,12 @@ def _pegs(table, scale):
     return region.pegs(*_box(table, scale), *(table.number(key, LENGTH) for key in ("size", "across", "down")))
 
 
+def _slats(table, scale):
+    size, thickness = table.number("size", LENGTH), table.number("thickness", LENGTH, LENGTH.default)
+    share, seed = table.number("share", SHARE, SHARE.default), table.number("seed", PICK, PICK.default)
+    return region.slats(*_box(table, scale), size, max(thickness, 1 / scale.x), share, seed)
+
+
 def _box(table, scale):
     x, y = table.number("x", PLACE, 0.0), table.number("y", PLACE, 0.0)
     return x, y, table.number("width", LENGTH, scale.width), table.number("height", LENGTH, scale.height)
@@ -117,4 +151,5 @@ KINDS = {
     "polygon": (("points",), _polygon),
     "bars": ((*BOX, "size", "across"), _bars),
     "pegs": ((*BOX, "size", "across", "down"), _pegs),
+    "slats": ((*BOX, "size", "thickness", "share", "seed"), _slats),
 }

@@ -75,6 +75,13 @@ class Table:
                 raise self.error(key, shown(point), wanted)
         return [(float(x), float(y)) for x, y in value]
 
+    def pair(self, key, knob, default):
+        """Return the two numbers [x, y] at `key` as a tuple, each in the range of `knob`."""
+        value = self.values.get(key, list(default))
+        if not isinstance(value, list) or len(value) != 2 or not all(_fits(number, knob) for number in value):
+            raise self.error(key, shown(value), f"[x, y], each {knob.wanted}")
+        return tuple(knob.check(number) for number in value)
+
     def table(self, key):
         """Return the table at `key`; an empty one where there is none."""
         value = self.values.get(key, {})
