@@ -59,6 +59,8 @@ def replay(recording):
         "grains_start": account.start,
         "grains_painted": account.painted,
         "grains_erased": account.erased,
+        "grains_poured": account.poured,
+        "grains_swallowed": account.swallowed,
         "grains_end": session.world.grains,
         "digest": digest,
         "digest_wanted": recording.digest or None,
@@ -69,7 +71,8 @@ def replay(recording):
 
 def replay_status(report):
     """Return the exit status: 1 if the end is not the one recorded, or grains were made or lost."""
-    expected = report["grains_start"] + report["grains_painted"] - report["grains_erased"]
+    gained = report["grains_painted"] + report["grains_poured"]
+    expected = report["grains_start"] + gained - report["grains_erased"] - report["grains_swallowed"]
     return 0 if report["same"] and report["grains_end"] == expected else 1
 
 
@@ -81,10 +84,16 @@ def replay_text(report, as_json=False):
         "scene": f"{report['scene']}, {report['cells']:,} cells",
         "replay": f"{report['acts']:,} acts, {report['iterations']:,} iterations in {report['ms']:.0f} ms",
         "grains": f"{report['grains_start']:,} at the start + {report['grains_painted']:,} painted"
-        f" - {report['grains_erased']:,} erased, {report['grains_end']:,} at the end",
+        f" - {report['grains_erased']:,} erased{_traffic(report)}, {report['grains_end']:,} at the end",
         "digest": f"{report['digest']}: {'as recorded' if report['same'] else 'not as recorded'}",
     }
     return "\n".join(f"{name:<8}{value}" for name, value in rows.items())
+
+
+def _traffic(report):
+    """Return the words for the grains that went through taps and drains, if any did."""
+    poured, swallowed = report["grains_poured"], report["grains_swallowed"]
+    return f" + {poured:,} poured - {swallowed:,} swallowed" if poured or swallowed else ""
 
 
 def _report(session, grains_start, times):
@@ -96,6 +105,8 @@ def _report(session, grains_start, times):
         "frames": len(times),
         "iterations": session.world.iteration,
         "grains_start": grains_start,
+        "grains_poured": session.account.poured,
+        "grains_swallowed": session.account.swallowed,
         "grains_end": session.world.grains,
         "digest": session.world.digest(),
         "frame_ms": {"median": median, "p99": float(np.percentile(times, 99)), "max": max(times)},
@@ -106,7 +117,8 @@ def _report(session, grains_start, times):
 
 def status(report):
     """Return the exit status: 1 if grains were lost or the median frame missed its budget."""
-    return 0 if report["within_budget"] and report["grains_start"] == report["grains_end"] else 1
+    expected = report["grains_start"] + report["grains_poured"] - report["grains_swallowed"]
+    return 0 if report["within_budget"] and report["grains_end"] == expected else 1
 
 
 def text(report, as_json=False):
@@ -117,7 +129,7 @@ def text(report, as_json=False):
     rows = {
         "scene": f"{report['scene']}, {report['cells']:,} cells",
         "run": f"{report['frames']:,} frames, {report['iterations']:,} iterations, one flip",
-        "grains": f"{report['grains_start']:,} at the start, {report['grains_end']:,} at the end",
+        "grains": f"{report['grains_start']:,} at the start{_traffic(report)}, {report['grains_end']:,} at the end",
         "frame": f"median {frame['median']:.2f} ms, p99 {frame['p99']:.2f} ms, max {frame['max']:.2f} ms",
         "budget": f"{report['budget_ms']:.0f} ms: {'kept' if report['within_budget'] else 'missed'}",
         "digest": report["digest"],

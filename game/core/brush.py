@@ -51,6 +51,12 @@ def _reached(shape, x, y, x0, y0, x1, y1, radius):
 
 
 @kernel
+def comes_over(shape, x, y, x0, y0, x1, y1, radius):
+    """Return whether `stroke` reaches the cell in column x and row y."""
+    return _reached(shape, x + 0.5, y + 0.5, x0, y0, x1, y1, radius)
+
+
+@kernel
 def stroke(planes, height, width, words, x0, y0, x1, y1, radius, shape, ink):
     """Let the cells take `ink` whose middle a brush comes over from (x0, y0) to (x1, y1), in place.
 

@@ -19,6 +19,13 @@ def _inside(kind, x, y, middle_x, middle_y, radius_x, radius_y):
 
 
 @kernel
+def covers(kind, x, y, left, top, right, bottom):
+    """Return whether a figure that is not only its edge reaches the cell in column x and row y."""
+    radius_x, radius_y = (right - left) / 2, (bottom - top) / 2
+    return _inside(kind, x + 0.5, y + 0.5, (left + right) / 2, (top + bottom) / 2, radius_x, radius_y)
+
+
+@kernel
 def figure(planes, height, width, words, kind, left, top, right, bottom, edge, ink):
     """Let the cells of the figure that fills columns left … right - 1, rows top … bottom - 1 take `ink`, in place.
 

@@ -75,6 +75,7 @@ def _books(session):
     """Return what there is to say of grains and memory, from the most to the least of it."""
     account, shelf, grains = session.account, session.timeline.shelf, session.world.grains
     sign = "=" if account.balanced(session.world) else "is not"
-    audit = f"{account.start:,} + {account.painted:,} - {account.erased:,} {sign} {grains:,} grains"
+    came, went = account.painted + account.poured, account.erased + account.swallowed
+    audit = f"{account.start:,} + {came:,} - {went:,} {sign} {grains:,} grains"
     memory = f"past {shelf.bytes / MEGABYTE:.1f} of {shelf.budget / MEGABYTE:,.0f} MB"
     return [audit, memory], [audit], [f"{grains:,} grains"]

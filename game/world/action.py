@@ -3,8 +3,8 @@
 import math
 from dataclasses import dataclass
 
-from game.core.brush import DIAMOND, ROUND, SQUARE
-from game.core.figures import ELLIPSE, RECTANGLE
+from game.core.brush import DIAMOND, ROUND, SQUARE, comes_over
+from game.core.figures import ELLIPSE, RECTANGLE, covers
 from game.core.ink import ANY, EMPTY, GRAIN, WALL, Ink
 from game.world.rule import Rule
 from game.world.scene import Scene
@@ -55,8 +55,22 @@ class Flip:
 
 
 @dataclass(frozen=True)
+class Turn:
+    """Turns the table: the lattice goes round by 90 degrees, clockwise, so many times."""
+
+    quarters: int  # 1, 2 or 3
+
+
+@dataclass(frozen=True)
+class SetFixtures:
+    """Gives the world other taps and drains in place of those that it has."""
+
+    fixtures: tuple  # of Fixture
+
+
+@dataclass(frozen=True)
 class Clear:
-    """Takes all sand away and leaves the walls."""
+    """Takes all sand away and leaves walls and fixtures."""
 
 
 @dataclass(frozen=True)
@@ -84,17 +98,17 @@ def perform(action, world, rule):
     change = 0
     match action:
         case Paint():
-            start, end = snap(action.start, action.diameter), snap(action.end, action.diameter)
-            kinds = 1 << KINDS[action.only] if action.only else taken_by(action.material, action.over_walls)
-            ink = Ink(MATERIALS[action.material], kinds, action.spray)
-            change = world.stroke(start, end, action.diameter, SHAPES[action.shape], ink)
+            change = _paint(action, world)
         case Draw():
-            ink = Ink(MATERIALS[action.material], taken_by(action.material, action.over_walls))
-            change = world.figure(FIGURES[action.figure], box(action.start, action.end), action.edge, ink)
+            change = _draw(action, world)
         case Fill():
             change = world.fill(*cell(action.place), Ink(MATERIALS[action.material]))
         case Flip():
             world.flip()
+        case Turn():
+            world = world.turned(action.quarters)
+        case SetFixtures():
+            world.fixtures = action.fixtures
         case Clear():
             change = -world.grains
             world.clear()
@@ -105,6 +119,23 @@ def perform(action, world, rule):
         case _:
             raise TypeError(f"not an action: {action!r}")
     return world, rule, change
+
+
+def _paint(paint, world):
+    start, end = snap(paint.start, paint.diameter), snap(paint.end, paint.diameter)
+    kinds = 1 << KINDS[paint.only] if paint.only else taken_by(paint.material, paint.over_walls)
+    shape = SHAPES[paint.shape]
+    if paint.material == "erase" and not paint.only and not paint.spray:
+        world.drop_fixtures(lambda x, y: comes_over(shape, x, y, *start, *end, paint.diameter / 2))
+    return world.stroke(start, end, paint.diameter, shape, Ink(MATERIALS[paint.material], kinds, paint.spray))
+
+
+def _draw(draw, world):
+    figure, cells = FIGURES[draw.figure], box(draw.start, draw.end)
+    if draw.material == "erase" and not draw.edge:
+        world.drop_fixtures(lambda x, y: covers(figure, x, y, *cells))
+    ink = Ink(MATERIALS[draw.material], taken_by(draw.material, draw.over_walls))
+    return world.figure(figure, cells, draw.edge, ink)
 
 
 def snap(place, diameter):

@@ -6,18 +6,34 @@ import numpy as np
 
 from game.core.chance import chance_of
 from game.core.step import advance_planes
-from game.world import knob
+from game.world import fixture, knob
+from game.world.fixture import Traffic
+
+NO_TRAFFIC = Traffic()
 
 _MASK = 2**64 - 1
 
 
 def advance(world, rule, iterations):
-    """Run `iterations` iterations of `rule` on `world`, in place.
+    """Run `iterations` iterations of `rule` on `world`, in place; return the Traffic through the world's fixtures.
 
     The result does not depend on how the iterations are split into calls. Raises ValueError unless `iterations` is a
     whole number in [0, 2**62].
     """
     iterations = knob.ITERATIONS.check(iterations)
+    if not world.fixtures:
+        _run(world, rule, iterations)
+        return NO_TRAFFIC
+    end, poured, swallowed = world.iteration + iterations, 0, 0
+    while world.iteration < end:
+        came, went = fixture.act(world)
+        poured, swallowed = poured + came, swallowed + went
+        _run(world, rule, min(fixture.pause(world.fixtures, world.iteration), end - world.iteration))
+    return Traffic(poured, swallowed)
+
+
+def _run(world, rule, iterations):
+    """Run iterations at once, in which no fixture acts."""
     certain, chance, seven = needs(rule)
     where, activity = world.layout, world.activity
     activity.expect(rule.schedule, world.iteration)

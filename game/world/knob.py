@@ -72,6 +72,7 @@ BIAS = Knob("bias", 0.0, -1.0, 1.0, "", "leans the toppling to the left (below 0
 SIDE = Knob("size", 480, 1, 16384, "cells", "width or height of the lattice", whole=True)
 SEED = Knob("seed", 0, 0, 2**64 - 1, "", "picks one of the possible histories", whole=True)
 SPEED = Knob("speed", 240, 1, 1_000_000, "iterations per second", "how fast time runs")
+EVERY = Knob("every", 4, 1, 100_000, "iterations", "from one grain of a tap to the next", whole=True)
 CELL = Knob("cell", 4, 1, 64, "pixels", "width of one cell on the screen", whole=True)
 BRUSH = Knob("brush", 6, 1, 200, "cells", "diameter of the brush", whole=True)
 UI_SCALE = Knob("ui-scale", 1.0, 0.75, 3.0, "", "size of the panel and its text")

@@ -4,7 +4,7 @@ import time
 from dataclasses import dataclass
 
 from game.world.action import Load, perform
-from game.world.advance import advance
+from game.world.advance import NO_TRAFFIC, advance
 from game.world.audit import Account
 from game.world.rule import Rule
 from game.world.scene import Scene
@@ -36,9 +36,11 @@ class Moment:
     def run(self, iterations):
         """Run iterations and return what they took, in nanoseconds."""
         start = time.perf_counter_ns()
-        advance(self.world, self.rule, iterations)
+        traffic = advance(self.world, self.rule, iterations)
         took = time.perf_counter_ns() - start
         self.work_ns += took
+        if traffic is not NO_TRAFFIC:
+            self.account = self.account.passed(traffic)
         return took
 
     def take(self, action):

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.world import knob
+from game.world import fixture, knob
 from game.world.colours import WALL_LOOKS
 from game.world.drawing import (
     COLOURS,
@@ -69,6 +69,8 @@ def save_picture(path, session):
         "speed": session.clock.speed,
         "cell": scene.cell,
     }
+    if world.fixtures:
+        settings["fixtures"] = [each.as_dict() for each in world.fixtures]
     text = PngInfo()
     text.add_text(CHUNK, json.dumps(settings))
     file = io.BytesIO()
@@ -179,8 +181,9 @@ def _settings(path, text):
     if not isinstance(table.values, dict):
         raise SceneError(path, CHUNK, "no object", "the settings of a scene")
     table.number("sandglass", Knob("version", VERSION, 1, VERSION, "(a newer Sandglass wrote it)", "", whole=True))
-    table.allow(("sandglass", "title", "notice", "walls", "rule", "seed", "speed", "cell"))
+    table.allow(("sandglass", "title", "notice", "walls", "rule", "seed", "speed", "cell", "fixtures"))
     fields = {"title": table.line("title", path.stem), "notice": table.line("notice", "")}
     fields |= {"rule": decode_rule(table.table("rule")), "speed": table.number("speed", knob.SPEED)}
     fields["made_of"] = table.choice("walls", WALL_LOOKS, WALL_LOOKS[0])
-    return fields | {"cell": table.number("cell", knob.CELL)}, table.number("seed", knob.SEED)
+    fields |= {"cell": table.number("cell", knob.CELL), "fixtures": fixture.read_all(table)}
+    return fields, table.number("seed", knob.SEED)

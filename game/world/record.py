@@ -2,8 +2,23 @@
 
 from itertools import pairwise
 
-from game.world import knob, scene_record
-from game.world.action import FIGURES, KINDS, MATERIALS, SHAPES, Clear, Draw, Fill, Flip, Load, Paint, SetRule, snap
+from game.world import fixture, knob, scene_record
+from game.world.action import (
+    FIGURES,
+    KINDS,
+    MATERIALS,
+    SHAPES,
+    Clear,
+    Draw,
+    Fill,
+    Flip,
+    Load,
+    Paint,
+    SetFixtures,
+    SetRule,
+    Turn,
+    snap,
+)
 from game.world.history import REDO, UNDO, WAIT, Entry
 from game.world.knob import Knob
 from game.world.table import Table, shown
@@ -12,6 +27,7 @@ PLACE = Knob("place", 0.0, -1e6, 1e6, "cells", "a distance from the left or uppe
 PLAIN = {"flip": Flip, "clear": Clear, UNDO: UNDO, REDO: REDO, WAIT: WAIT}  # entries that say no more
 SPRAY = Knob("spray", 0, 0, 2**53, "", "which cells a spray picks; 0 picks all", whole=True)
 EDGE = Knob("edge", 0, 0, knob.BRUSH.high, "cells", "drawn inwards from a figure's outline; 0 draws all", whole=True)
+QUARTERS = Knob("quarters", 1, 1, 3, "", "of a turn, clockwise", whole=True)
 BRUSH = ("material", "diameter", "over_walls", "shape", "only", "spray")
 FIGURE = ("figure", "material", "from", "to", "edge", "over_walls")
 LONGEST_STROKE = 100_000  # segments
@@ -28,6 +44,10 @@ def encode(entry, known):
             values |= {"do": "draw", **_figure(draw)}
         case Fill(material, place):
             values |= {"do": "fill", "material": material, "place": _short(place)}
+        case Turn(quarters):
+            values |= {"do": "turn", "quarters": quarters}
+        case SetFixtures(fixtures):
+            values |= {"do": "fixtures", "fixtures": [each.as_dict() for each in fixtures]}
         case SetRule(rule):
             values |= {"do": "rule", "rule": rule.as_dict()}
         case Load(scene, seed):
@@ -57,7 +77,7 @@ def encode_story(entries, known):
 def decode(table, known):
     """Return the entries, one or more, that a record tells of, a Table; raise SceneError where it is none."""
     at = table.number("at", knob.MOMENT)
-    kind = table.choice("do", ("paint", "stroke", "draw", "fill", "rule", "load", *PLAIN))
+    kind = table.choice("do", ("paint", "stroke", "draw", "fill", "turn", "fixtures", "rule", "load", *PLAIN))
     joined = _flag(table, "join")
     if kind == "stroke":
         return _decode_stroke(table, at, joined)
@@ -71,6 +91,12 @@ def decode(table, known):
     elif kind == "fill":
         table.allow(("at", "do", "join", "material", "place"))
         what = Fill(table.choice("material", tuple(MATERIALS)), _decode_place(table, "place"))
+    elif kind == "turn":
+        table.allow(("at", "do", "join", "quarters"))
+        what = Turn(table.number("quarters", QUARTERS))
+    elif kind == "fixtures":
+        table.allow(("at", "do", "join", "fixtures"))
+        what = SetFixtures(fixture.read_all(table))
     elif kind == "rule":
         table.allow(("at", "do", "join", "rule"))
         what = SetRule(scene_record.decode_rule(table.table("rule")))

@@ -6,10 +6,11 @@ from pathlib import Path
 
 import numpy as np
 
-from game.world import knob
+from game.world import fixture, knob
 from game.world.assets import asset
 from game.world.colours import WALL_LOOKS
 from game.world.drawing import EMPTY, SAND, WALL, painted_cells, resampled, written_cells
+from game.world.fixture import DRAIN, TAP
 from game.world.rule import FIELDS, SCHEDULES, Rule
 from game.world.shapes import Scale, paint
 from game.world.table import SceneError, read_table
@@ -23,7 +24,7 @@ ORDER = (  # as shown; others follow
 )
 SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
 SIDES = ("height", "width")
-KEYS = ("title", "notice", *SIDES, *SOURCES, "walls", "rule", "speed", "cell")
+KEYS = ("title", "notice", *SIDES, *SOURCES, TAP, DRAIN, "walls", "rule", "speed", "cell")
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,6 +40,7 @@ class Scene:
     speed: float  # iterations per second
     cell: int  # pixels across one cell
     made_of: str = WALL_LOOKS[0]  # what the walls look like
+    fixtures: tuple = ()  # of Fixture: taps and drains
     shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
 
     @property
@@ -48,7 +50,9 @@ class Scene:
 
     def world(self, seed=0):
         """Return a new World with the scene's cells, at iteration 0."""
-        return World.from_cells(self.sand, self.walls, seed)
+        world = World.from_cells(self.sand, self.walls, seed)
+        world.fixtures = self.fixtures
+        return world
 
 
 def load_scene(name_or_path, size=None):
@@ -62,7 +66,7 @@ def load_scene(name_or_path, size=None):
     table = read_table(path)
     table.allow(KEYS)
     rule = _rule(table.table("rule"))
-    cells = _cells(table, path.parent, size)
+    cells, own_size = _cells(table, path.parent, size)
     sand, walls = cells == SAND, cells == WALL
     sand.flags.writeable = walls.flags.writeable = False
     return Scene(
@@ -75,6 +79,7 @@ def load_scene(name_or_path, size=None):
         speed=table.number("speed", knob.SPEED, knob.SPEED.default),
         cell=table.number("cell", knob.CELL, knob.CELL.default),
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
+        fixtures=_fixtures(table, own_size, sand.shape),
         shipped=path.parent == asset("scenes"),
     )
 
@@ -103,7 +108,10 @@ def _path(name_or_path):
 
 
 def _cells(table, folder, size):
-    """Return the (H, W) uint8 materials that `table` describes, on a lattice of `size` (width, height) if given."""
+    """Return the (H, W) uint8 materials that `table` describes, on a lattice of `size` if given, and its own size.
+
+    Sizes are (width, height).
+    """
     sources = [key for key in SOURCES if key in table]
     if len(sources) > 1:
         raise table.error(sources[1], f"it beside {sources[0]}", f"only one of {', '.join(SOURCES)}")
@@ -119,7 +127,7 @@ def _cells(table, folder, size):
         drawn = resampled(drawn, height, width)
     else:
         return _shaped_cells(table, size)
-    return resampled(drawn, *size[::-1]) if size else drawn
+    return (resampled(drawn, *size[::-1]) if size else drawn), drawn.shape[::-1]
 
 
 def _shaped_cells(table, size):
@@ -129,7 +137,17 @@ def _shaped_cells(table, size):
     cells = np.full((height, width), EMPTY, np.uint8)
     for shape in table.tables("shape"):
         paint(cells, shape, scale)
-    return cells
+    return cells, (own_width, own_height)
+
+
+def _fixtures(table, own_size, shape):
+    """Return the taps and drains that `table` describes, moved from its own size to a lattice of `shape`."""
+    found = []
+    for kind in (TAP, DRAIN):
+        for each in table.tables(kind):
+            each.allow(fixture.KEYS)
+            found.append(fixture.read(each, kind).scaled(shape[1] / own_size[0], shape[0] / own_size[1]))
+    return tuple(found)
 
 
 def _rule(table):

@@ -8,19 +8,20 @@ from functools import lru_cache
 
 import numpy as np
 
-from game.world import knob
+from game.world import fixture, knob
 from game.world.colours import WALL_LOOKS
 from game.world.rule import FIELDS, SCHEDULES, Rule
 from game.world.scene import Scene, load_scene, scene_names
 from game.world.table import shown
 
 SHIPPED = ("name", "size", "start")
-EMBEDDED = ("name", "title", "notice", "size", "cells", "walls", "rule", "speed", "cell")
+EMBEDDED = ("name", "title", "notice", "size", "cells", "walls", "rule", "speed", "cell", "fixtures")
 
 
 def start_digest(scene):
-    """Return 16 hex digits that name a scene's size, cells and rule."""
+    """Return 16 hex digits that name a scene's size, cells, rule and fixtures."""
     digest = hashlib.blake2b(f"{scene.shape} {scene.rule.as_dict()} ".encode(), digest_size=8)
+    digest.update("".join(f"{each} " for each in scene.fixtures).encode())
     for cells in (scene.sand, scene.walls):
         digest.update(np.packbits(cells).tobytes())
     return digest.hexdigest()
@@ -46,6 +47,7 @@ def encode(scene, known):
         "rule": scene.rule.as_dict(),
         "speed": scene.speed,
         "cell": scene.cell,
+        **({"fixtures": [each.as_dict() for each in scene.fixtures]} if scene.fixtures else {}),
     }
 
 
@@ -104,6 +106,7 @@ def _embedded(table):
         speed=table.number("speed", knob.SPEED),
         cell=table.number("cell", knob.CELL),
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
+        fixtures=fixture.read_all(table),
     )
 
 

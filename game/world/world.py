@@ -19,13 +19,14 @@ class World:
     Make one with `World.from_cells`. Everything random that will happen to it is decided by `seed` and `iteration`.
     """
 
-    __slots__ = ("activity", "iteration", "layout", "planes", "seed")
+    __slots__ = ("activity", "fixtures", "iteration", "layout", "planes", "seed")
 
-    def __init__(self, planes, layout, iteration, seed):
+    def __init__(self, planes, layout, iteration, seed, fixtures=()):
         self.planes = planes  # (PLANES, length) uint64: sand, walls, walls for odd x
         self.layout = layout
         self.iteration = iteration  # iterations since the start, a non-negative int of any size
         self.seed = seed  # in [0, 2**64)
+        self.fixtures = fixtures  # a tuple of Fixture: taps and drains
         self.activity = Activity(layout)
 
     @classmethod
@@ -62,12 +63,24 @@ class World:
         """Return a world of its own with the same cells, iteration and seed."""
         planes = bit_planes.empty(self.layout)
         planes[:] = self.planes
-        return World(planes, self.layout, self.iteration, self.seed)
+        return World(planes, self.layout, self.iteration, self.seed, self.fixtures)
 
     def flip(self):
         """Turn the lattice by 180 degrees, in place; twice is the identity."""
         bit_planes.turn(self.planes, self.layout)
+        self.fixtures = tuple(each.turned(2, self.shape) for each in self.fixtures)
         self.activity.wake()
+
+    def turned(self, quarters):
+        """Return the world after so many quarter turns, clockwise: a new one, its height and width exchanged if odd."""
+        sand, walls = (np.ascontiguousarray(np.rot90(cells, -quarters)) for cells in (self.sand, self.walls))
+        layout = bit_planes.layout(*sand.shape)
+        fixtures = tuple(each.turned(quarters, self.shape) for each in self.fixtures)
+        return World(bit_planes.pack(sand, walls), layout, self.iteration, self.seed, fixtures)
+
+    def drop_fixtures(self, reached):
+        """Take away the fixtures of which reached(column, row) is true for any cell, in place."""
+        self.fixtures = tuple(each for each in self.fixtures if not any(reached(x, y) for x, y in each.cells))
 
     def clear(self):
         """Take all sand away and leave the walls, in place."""
@@ -110,9 +123,10 @@ class World:
         return kind_of(self.planes, self.layout, column, row)
 
     def digest(self):
-        """Return 32 hex digits that name everything that decides the future: shape, cells, seed and iteration."""
+        """Return 32 hex digits that name all that decides the future: shape, cells, seed, iteration and fixtures."""
         digest = hashlib.blake2b(digest_size=16)
         digest.update(f"{self.shape} {self.seed} {self.iteration} ".encode())
+        digest.update("".join(f"{each} " for each in self.fixtures).encode())
         for first in (bit_planes.SAND, bit_planes.WALLS):
             for rows in bit_planes.bands(self.planes, self.layout, first):
                 digest.update(np.packbits(rows, axis=1).tobytes())

@@ -4,7 +4,22 @@ import numpy as np
 from hypothesis import strategies as st
 
 from game import Rule, advance
-from game.world.action import KINDS, MATERIALS, SHAPES, Clear, Draw, Fill, Flip, Load, Paint, SetRule, apply
+from game.world.action import (
+    KINDS,
+    MATERIALS,
+    SHAPES,
+    Clear,
+    Draw,
+    Fill,
+    Flip,
+    Load,
+    Paint,
+    SetFixtures,
+    SetRule,
+    Turn,
+    apply,
+)
+from game.world.fixture import Fixture
 from game.world.history import WAIT
 from game.world.rule import SCHEDULES
 from game.world.scene import Scene
@@ -36,10 +51,21 @@ shaped = st.builds(
 )
 draws = st.builds(Draw, st.sampled_from(("rectangle", "ellipse")), materials, places, places, st.integers(0, 3))
 fills = st.builds(Fill, materials, places)
+fixtures = st.builds(
+    Fixture,
+    st.sampled_from(("tap", "drain")),
+    st.integers(-3, 30),
+    st.integers(-3, 24),
+    st.integers(1, 9),
+    st.integers(1, 3),
+    st.integers(1, 9),
+)
+fittings = st.builds(SetFixtures, st.lists(fixtures, max_size=4).map(tuple))
+turns = st.one_of(st.just(Flip()), st.builds(Turn, st.integers(1, 3)))
 tools = st.one_of(paints, shaped, draws, fills)
 rules = st.builds(SetRule, st.builds(Rule, *[chances] * 7, st.sampled_from(sorted(SCHEDULES))))
 loads = st.builds(Load, st.sampled_from(SCENES), st.integers(0, 3))
-actions = st.one_of(paints, tools, rules, loads, st.just(Flip()), st.just(Clear()))
+actions = st.one_of(paints, tools, fittings, rules, loads, turns, st.just(Clear()))
 commands = st.one_of(
     st.tuples(st.just("run"), st.integers(0, 30)),
     st.tuples(st.just("do"), actions, st.booleans()),

@@ -13,8 +13,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import Rule, headless, load_scene
-from game.world.action import Clear, Draw, Fill, Flip, Load, Paint, SetRule, snap
+from game.world.action import Clear, Draw, Fill, Flip, Load, Paint, SetFixtures, SetRule, Turn, snap
 from game.world.assets import asset
+from game.world.fixture import Fixture
 from game.world.history import Entry
 from game.world.lines import Pen
 from game.world.replay import ReplayError, load_replay, parse, recording_of, save_replay, to_bytes
@@ -48,6 +49,7 @@ def sample():
         Paint("sand", (5, 5), (9.5, 6), 4, shape="diamond", only="wall"),
         Paint("sand", (5, 5), (9, 6), 5, spray=7),
     ]
+    acts += [SetFixtures((Fixture("tap", 3, 2, 4, 1, 3), Fixture("drain", -1, 5, 9, 2))), Turn(1), Turn(3)]
     for act in acts:
         session.do(act)
         session.timeline.run(20)

@@ -234,7 +234,7 @@ def test_a_rule_is_p_and_bias_or_the_probabilities(tmp_path, text, rule):
 
 SIDE = "a whole number in [1, 16384] cells"
 TOML = "key = value, [table] or [[shape]]"
-KEYS = "title, notice, height, width, cells, picture, shape, walls, rule, speed, cell"
+KEYS = "title, notice, height, width, cells, picture, shape, tap, drain, walls, rule, speed, cell"
 KINDS = "hourglass, rectangle, ellipse, line, polygon, bars, pegs, slats"
 POINTS = "points [x, y], numbers in [-16384, 16384] cells"
 PICTURE = "a PNG, GIF, BMP, JPEG, WEBP of at most 67108864 pixels and 16384 a side"

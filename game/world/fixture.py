@@ -1,0 +1,104 @@
+"""Fixtures: taps that pour sand and drains that swallow it. They belong to a world and are no cells of it."""
+
+import math
+from dataclasses import asdict, dataclass, replace
+from typing import NamedTuple
+
+from game.core.figures import RECTANGLE, figure
+from game.core.ink import EMPTY, GRAIN, Ink
+from game.world import knob
+
+TAP, DRAIN = "tap", "drain"
+FIRST_CELL = knob.Knob("place", 0, -knob.SIDE.high, knob.SIDE.high, "cells", "from the left or upper side", whole=True)
+KEYS = ("x", "y", "width", "height", "every")
+SIDE = knob.Knob("side", 1, 1, 200, "cells", "width or height of a fixture", whole=True)
+MOST = 1000  # fixtures of a world
+INKS = {TAP: Ink(GRAIN, 1 << EMPTY), DRAIN: Ink(EMPTY, 1 << GRAIN)}
+
+
+class Traffic(NamedTuple):
+    """How many grains came into a world and left it through its fixtures."""
+
+    poured: int = 0
+    swallowed: int = 0
+
+
+@dataclass(frozen=True)
+class Fixture:
+    """A tap puts a grain into each of its cells that is empty, a drain takes the sand in its cells.
+
+    It does so before each iteration whose number is a multiple of `every`. Its cells are a rectangle, which may reach
+    out of the lattice.
+    """
+
+    kind: str  # TAP or DRAIN
+    x: int  # its first column
+    y: int  # its first row
+    width: int = 1  # cells
+    height: int = 1
+    every: int = 1  # iterations
+
+    @property
+    def box(self):
+        """First column and row, then those after the last."""
+        return self.x, self.y, self.x + self.width, self.y + self.height
+
+    @property
+    def cells(self):
+        """The (column, row) of each of its cells."""
+        left, top, right, bottom = self.box
+        return [(x, y) for y in range(top, bottom) for x in range(left, right)]
+
+    def turned(self, quarters, shape):
+        """Return it as it is after so many quarter turns, clockwise, of a lattice of `shape` (height, width)."""
+        height, width = shape
+        if quarters % 4 == 0:
+            return self
+        turned = replace(self, x=height - self.y - self.height, y=self.x, width=self.height, height=self.width)
+        return turned.turned(quarters % 4 - 1, (width, height))
+
+    def scaled(self, x, y):
+        """Return it on a lattice so many times as wide and as high."""
+        sides = (int(min(max(1, round(side)), SIDE.high)) for side in (self.width * x, self.height * y))
+        return Fixture(self.kind, math.floor(self.x * x), math.floor(self.y * y), *sides, self.every)
+
+    def as_dict(self):
+        """The fields by name, for JSON."""
+        return asdict(self)
+
+
+def act(world):
+    """Let the fixtures act that are due before the world's next iteration, in their order, and return the Traffic."""
+    poured = swallowed = 0
+    where = world.layout
+    for each in world.fixtures:
+        if world.iteration % each.every == 0:
+            ink = INKS[each.kind]
+            change = figure(world.planes, where.height, where.width, where.words, RECTANGLE, *each.box, 0, ink)
+            if change:
+                world.activity.wake(each.y - 1, each.y + each.height + 1)
+            poured, swallowed = poured + max(change, 0), swallowed - min(change, 0)
+    return Traffic(poured, swallowed)
+
+
+def pause(fixtures, iteration):
+    """Return after how many iterations from `iteration` on the next fixture acts, 1 at least."""
+    return min(each.every - iteration % each.every for each in fixtures)
+
+
+def read(table, kind):
+    """Return the fixture that a Table with KEYS tells of; raise SceneError where it tells of none."""
+    sizes = (table.number(key, SIDE, SIDE.default) for key in ("width", "height"))
+    x, y = table.number("x", FIRST_CELL), table.number("y", FIRST_CELL)
+    return Fixture(kind, x, y, *sizes, table.number("every", knob.EVERY, 1))
+
+
+def read_all(table, key="fixtures"):
+    """Return the tuple of fixtures that the array at `key` of a Table tells of, as `as_dict` writes them."""
+    fixtures = []
+    for each in table.tables(key):
+        each.allow(("kind", *KEYS))
+        fixtures.append(read(each, each.choice("kind", (TAP, DRAIN))))
+    if len(fixtures) > MOST:
+        raise table.error(key, f"{len(fixtures)} fixtures", f"at most {MOST}")
+    return tuple(fixtures)

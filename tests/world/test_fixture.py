@@ -1,0 +1,145 @@
+"""Laws of taps, drains and turns of the table."""
+
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from game import Rule, World, advance, load_scene
+from game.world.action import Clear, Draw, Flip, Paint, SetFixtures, Turn, apply, perform
+from game.world.fixture import DRAIN, TAP, Fixture
+from game.world.picture_file import load_picture, save_picture
+from game.world.scene import SceneError
+from game.world.session import Session
+from game.world.snapshot import Snapshot
+from tests.cells import random_world, rows_of, world_of
+from tests.world.sessions import fixtures
+
+steady = settings(derandomize=True, deadline=None, max_examples=60)
+RULE = Rule.with_p(0.6, "balanced")
+
+
+def furnished(number, *fittings):
+    world = random_world(np.random.default_rng(number), 24, 30, seed=number)
+    world.fixtures = tuple(fittings)
+    return world
+
+
+def test_a_tap_pours_into_its_empty_cells_and_a_drain_swallows_sand_alone():
+    world = world_of(["o.#.o", ".....", "o.#oo"])
+    world.fixtures = Fixture(TAP, 0, 0, 4), Fixture(DRAIN, 1, 2, 9)
+    assert advance(world, RULE, 0) == (0, 0) and rows_of(world) == ["o.#.o", ".....", "o.#oo"]
+    assert advance(world, RULE, 1) == (2, 2)
+    assert world.grains == 5 + 2 - 2 and world.walls.sum() == 2
+
+
+@pytest.mark.parametrize("every", [1, 3, 10])
+def test_a_tap_acts_once_in_so_many_iterations(every):
+    world = World.from_cells(np.zeros((200, 4), bool), np.zeros((200, 4), bool))
+    world.fixtures = (Fixture(TAP, 1, 0, 1, 1, every),)
+    poured, swallowed = advance(world, RULE, 60)
+    assert (poured, swallowed) == (len(range(0, 60, every)), 0) or every == 1
+    assert poured == world.grains
+
+
+@steady
+@given(st.integers(0, 40), st.lists(fixtures, min_size=1, max_size=4), st.lists(st.integers(0, 12), max_size=9))
+def test_what_fixtures_do_does_not_depend_on_how_iterations_are_split(number, fittings, parts):
+    whole, split = (furnished(number, *fittings) for _ in range(2))
+    traffic = advance(whole, RULE, sum(parts))
+    passed = [advance(split, RULE, part) for part in parts]
+    assert split.digest() == whole.digest()
+    assert traffic == (sum(poured for poured, _ in passed), sum(swallowed for _, swallowed in passed))
+
+
+@steady
+@given(st.integers(0, 40), st.lists(fixtures, max_size=4), st.integers(0, 60))
+def test_grains_that_came_less_those_that_went_are_those_there_now(number, fittings, iterations):
+    world = furnished(number, *fittings)
+    before, walls = world.grains, world.walls
+    poured, swallowed = advance(world, RULE, iterations)
+    assert world.grains == before + poured - swallowed and (world.walls == walls).all()
+
+
+@steady
+@given(st.integers(0, 40), st.lists(fixtures, max_size=4))
+def test_four_quarter_turns_are_none_and_two_are_a_flip(number, fittings):
+    worlds = [furnished(number, *fittings)]
+    for _ in range(4):
+        worlds.append(apply(Turn(1), worlds[-1], RULE)[0])
+    assert worlds[4].digest() == worlds[0].digest() and worlds[4].fixtures == worlds[0].fixtures
+    assert worlds[1].shape == (30, 24) and worlds[1].fixtures == apply(Turn(3), worlds[2], RULE)[0].fixtures
+    flipped = worlds[0].copy()
+    flipped.flip()
+    assert worlds[2].digest() == flipped.digest() and worlds[2].fixtures == flipped.fixtures
+    assert len({world.grains for world in worlds}) == len({int(world.walls.sum()) for world in worlds}) == 1
+
+
+@steady
+@given(fixtures, st.integers(1, 3))
+def test_a_fixture_turns_with_the_cells_under_it(each, quarters):
+    cells = np.zeros((24, 30), bool)
+    left, top, right, bottom = each.box
+    cells[max(top, 0) : max(bottom, 0), max(left, 0) : max(right, 0)] = True
+    left, top, right, bottom = each.turned(quarters, cells.shape).box
+    turned = np.zeros(cells.shape if quarters == 2 else cells.shape[::-1], bool)
+    turned[max(top, 0) : max(bottom, 0), max(left, 0) : max(right, 0)] = True
+    assert (turned == np.rot90(cells, -quarters)).all()
+
+
+def test_a_quarter_turn_takes_the_left_side_to_the_top():
+    world = world_of(["o#..", "....", "#..."])
+    assert rows_of(world.turned(1)) == ["#.o", "..#", "...", "..."]
+
+
+def test_the_eraser_takes_the_fixtures_it_comes_over():
+    kept, gone = Fixture(TAP, 2, 2, 5), Fixture(DRAIN, 2, 12, 9)
+    for act in (Paint("erase", (9.0, 9.0), (9.0, 14.0), 3), Draw("ellipse", "erase", (8.5, 9.5), (14.5, 14.5))):
+        world, _, change = perform(act, furnished(1, kept, gone), RULE)
+        assert world.fixtures == (kept,) and change < 0
+    places = (9.0, 9.0), (9.0, 14.0)
+    for act in (Paint("sand", *places, 3), Clear(), Paint("erase", *places, 3, only="wall")):
+        assert perform(act, furnished(1, kept, gone), RULE)[0].fixtures == (kept, gone)
+
+
+def test_a_world_without_fixtures_keeps_its_name_and_one_with_them_has_another():
+    bare, tapped = furnished(1), furnished(1, Fixture(TAP, 1, 1))
+    assert bare.digest() == random_world(np.random.default_rng(1), 24, 30, seed=1).digest() != tapped.digest()
+    assert tapped.digest() == tapped.copy().digest() != furnished(1, Fixture(TAP, 1, 2)).digest()
+
+
+def test_a_snapshot_keeps_the_fixtures():
+    session = Session(load_scene("blank", (40, 30)))
+    session.do(SetFixtures((Fixture(TAP, 3, 3, 2, 1, 2), Fixture(DRAIN, 0, 29, 40))))
+    session.timeline.run(50)
+    kept = Snapshot(session.timeline.moment, None).moment()
+    session.timeline.run(50)
+    kept.run(50)
+    assert kept.world.digest() == session.world.digest() and kept.account == session.account
+    assert session.account.poured > session.account.swallowed > 0 and session.account.balanced(session.world)
+
+
+def test_a_picture_keeps_the_fixtures(tmp_path):
+    session = Session(load_scene("blank", (40, 30)))
+    fittings = Fixture(TAP, 3, 3, 2, 1, 2), Fixture(DRAIN, 0, 29, 40)
+    session.do(SetFixtures(fittings))
+    session.do(Flip())
+    save_picture(tmp_path / "taps.png", session)
+    assert load_picture(tmp_path / "taps.png").scene.fixtures == session.world.fixtures != fittings
+
+
+def test_a_scene_file_places_taps_and_drains_and_says_what_is_wrong(tmp_path):
+    path = tmp_path / "well.toml"
+    text = (
+        "width = 40\nheight = 20\n[[tap]]\nx = 8\ny = 2\nwidth = 4\nevery = 6\n[[drain]]\nx = 0\ny = 19\nwidth = 40\n"
+    )
+    path.write_text(text, encoding="utf-8")
+    assert load_scene(path).fixtures == (Fixture(TAP, 8, 2, 4, 1, 6), Fixture(DRAIN, 0, 19, 40))
+    assert load_scene(path, (80, 40)).fixtures == (Fixture(TAP, 16, 4, 8, 2, 6), Fixture(DRAIN, 0, 38, 80, 2))
+    for wrong, told in (("x = 1\ny = 1\nevery = 0", "tap 1.every"), ("hight = 3", "height"), ("x = 1.5", "tap 1.x")):
+        path.write_text(f"width = 40\nheight = 20\n[[tap]]\n{wrong}\n", encoding="utf-8")
+        with pytest.raises(SceneError, match=told):
+            load_scene(path)
+    assert json.dumps(Fixture(TAP, 1, 2).as_dict())
