@@ -4,7 +4,7 @@ from dataclasses import replace
 
 import pygame
 
-from game.play import outlook, toolbox
+from game.play import appearance, outlook, toolbox
 from game.play.files import demos
 from game.world import knob
 from game.world.action import SetRule
@@ -175,6 +175,7 @@ class Panel:
             toy.commands.toggle_fullscreen()
         if ui.button("Keys", key="F1", tip="Every key on one page"):
             toy.commands.toggle_help()
+        appearance.show(ui, toy.settings)
 
 
 def fitting_scale(ui_scale, window_width):
