@@ -8,10 +8,11 @@ import numpy as np
 
 from game.world import knob
 from game.world.action import Flip, SetRule
-from game.world.picture import Painter, View
+from game.world.picture import Painter
 from game.world.prepare import steps
 from game.world.rule import Rule
 from game.world.session import BUDGET_NS, Session
+from game.world.view import View
 
 FRAME_NS = 16_666_667  # 60 frames a second
 

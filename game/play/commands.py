@@ -91,6 +91,20 @@ class Commands:
         """Grow the brush."""
         self.toy.brush.resize(1)
 
+    # --- view ---
+
+    def show_all(self):
+        """Show the whole lattice."""
+        self.toy.camera.fit()
+
+    def zoom(self, levels):
+        """Show cells larger, or smaller."""
+        self.toy.camera.zoom(int(levels))
+
+    def look(self, right, down):
+        """Show what lies beside the cells in sight."""
+        self.toy.camera.pan(int(right), int(down))
+
     # --- files ---
 
     def save(self):

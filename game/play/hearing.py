@@ -10,7 +10,8 @@ class Hearing:
 
     def __init__(self, toy):
         self._toy = toy
-        self.first = [toy.rewind]  # what hears before the keys do: `hear(event)` says whether the event was its own
+        # what hears before the keys do: `hear(event)` says whether the event was its own
+        self.first = [toy.rewind, toy.camera]
         self.pointer = None  # (x, y) in pixels, while it is over the sand or paints
         self._down = set()  # the keys that are held
 

@@ -58,6 +58,16 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("", (pygame.K_RIGHTBRACKET,), "larger_brush", ""),
         Key("Shift+D", (pygame.K_d,), "next_shape", "round, square, diamond", SHIFT),
     ),
+    "View": (
+        Key("0", (pygame.K_0, pygame.K_KP0), "show_all", "the whole lattice"),
+        Key("Ctrl + -", (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "zoom 1", "zoom (also Ctrl+wheel)", CTRL),
+        Key("", (pygame.K_PLUS, pygame.K_EQUALS), "zoom 1", "", CTRL | SHIFT),
+        Key("", (pygame.K_MINUS, pygame.K_KP_MINUS), "zoom -1", "", CTRL),
+        Key("Ctrl+arrows", (pygame.K_LEFT,), "look -1 0", "look around (also Space + drag)", CTRL),
+        Key("", (pygame.K_RIGHT,), "look 1 0", "", CTRL),
+        Key("", (pygame.K_UP,), "look 0 -1", "", CTRL),
+        Key("", (pygame.K_DOWN,), "look 0 1", "", CTRL),
+    ),
     "Scenes and pictures": (
         Key("Ctrl+S", (pygame.K_s,), "save", "save the scene", CTRL),
         Key("Ctrl+O", (pygame.K_o,), "open_scenes", "open a saved scene", CTRL),
@@ -75,7 +85,10 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
     ),
 }
 KEYS = tuple(key for keys in GROUPS.values() for key in keys)
-REPEATING = {"step", "faster", "slower", "smaller_brush", "larger_brush", "undo", "redo"}  # again while a key is held
+REPEATING = {  # again while a key is held
+    *("step", "faster", "slower", "smaller_brush", "larger_brush", "undo", "redo"),
+    *("zoom 1", "zoom -1", "look -1 0", "look 1 0", "look 0 -1", "look 0 1"),
+}
 _COMMANDS = {(code, key.mods): key.command for key in KEYS for code in key.codes}
 _BY_TEXT = {"?": "toggle_help", "+": "faster", "-": "slower", "[": "smaller_brush", "]": "larger_brush", ".": "step"}
 

@@ -6,6 +6,7 @@ import pygame
 from game.play.card import Card
 from game.world import picture
 from game.world.picture_file import THRESHOLD
+from game.world.view import View
 
 WIDTH = 360  # pixels at scale 1
 TOP = 16
@@ -71,7 +72,7 @@ class PhotoCard:
 def _sprite(scene, size, colours):
     """Return the scene's cells as a surface that fits `size`."""
     world = scene.world()
-    view = picture.View.fit(scene.shape, 0, 0, *size)
+    view = View.fit(scene.shape, 0, 0, *size)
     pixels = np.zeros((view.top * 2 + view.height, view.left * 2 + view.width), np.uint32)
     picture.Painter(view, colours, scene.made_of).draw(world, pixels)
     part = np.ascontiguousarray(pixels[view.top : view.top + view.height, view.left : view.left + view.width])

@@ -13,6 +13,7 @@ from game.world.colours import NIGHT, palette
 from game.world.moment import Moment
 from game.world.places import new_file
 from game.world.snapshot import nearest
+from game.world.view import View
 
 FRAME_MS = 40  # of a GIF: 25 frames per second
 PAST_S = 10
@@ -58,7 +59,7 @@ class Recorder:
         def draw():
             height, width = (side * scale for side in world.shape)
             pixels = np.empty((height, width), np.uint32)
-            picture.Painter(picture.View(world.shape, 0, 0, width, height), *looks).draw(world, pixels)
+            picture.Painter(View(world.shape, 0, 0, width, height), *looks).draw(world, pixels)
             return _rgb(pixels).tobytes(), (width, height)
 
         self._save_picture(draw)
@@ -157,8 +158,8 @@ class Film:
         size = max(1, round(height * scale)), max(1, round(width * scale))
         self.colours = _rgb(palette(colours, walls).reshape(1, -1)).tobytes()  # the palette of a GIF
         places = itertools.count()
-        view = picture.View(shape, 0, 0, *size[::-1])
-        self._painter = picture.Painter(view, colours, walls, lambda *_: next(places))
+        view = View(shape, 0, 0, *size[::-1])
+        self._painter = picture.Painter(view, colours, walls, lambda *_: next(places), mixes=False)
         self._pixels = np.zeros(size, np.uint32)
 
     def frame(self, world):

@@ -63,6 +63,6 @@ class Screen:
     def _marks(self):
         """Return the marks of the tool where the pointer is over the sand."""
         toy, pointer = self._toy, self._toy.hearing.pointer
-        if pointer is None or toy.stage.turn or toy.gallery.shown or toy.photo.shown:
+        if pointer is None or toy.camera.busy or toy.stage.turn or toy.gallery.shown or toy.photo.shown:
             return ()
         return toy.brush.marks(toy.stage.view.place(*pointer), toy.stage.view)

@@ -4,6 +4,7 @@ import pygame
 
 from game.play.turn import Turn
 from game.world import picture
+from game.world.view import View
 
 
 class Stage:
@@ -14,6 +15,7 @@ class Stage:
         self.area = pygame.Rect(0, 0, 1, 1)
         self.view = self.turn = None
         self.veil = None  # what lies over the sand, part of the picture of it
+        self.whole = None  # the view of the whole lattice
         self._marks, self._overlay = (), None  # as last drawn
         self._bare = True  # nothing of the stage has been drawn yet
 
@@ -22,9 +24,15 @@ class Stage:
         surface, self._theme = self.window.surface, theme
         self.area = pygame.Rect(area)
         inner = self.area.inflate(-2 * margin, -2 * margin)
-        self.view = picture.View.fit(shape, *inner)
+        self.view = self.whole = View.fit(shape, *inner)
         self._map_rgb = lambda *colour: surface.map_rgb(colour)
         self._painter = picture.Painter(self.view, theme.colours, walls, self._map_rgb)
+        self.refresh()
+
+    def show(self, view):
+        """Show the lattice through another view."""
+        self.view = view
+        self._painter.look_through(view)
         self.refresh()
 
     def refresh(self):
@@ -94,4 +102,5 @@ class Stage:
 
 
 def _cut(pixels, view):
-    return pixels[view.top : view.top + view.height, view.left : view.left + view.width]
+    left, top, right, bottom = view.seen
+    return pixels[top:bottom, left:right]

@@ -35,7 +35,7 @@ def frames(scene, window_size, iterations, count):
     """Play `count` frames of `scene` at `iterations` a frame, without pauses, and return the report as a dict."""
     pygame.font.init()
     window = Window(window_size or loop.window_size(scene, scene.cell, Theme(1.0)))
-    for _, act in steps(scene.rule):
+    for _, act in steps(scene.rule, dense=True):
         act()
     toy = Toy(window, scene)
     toy.session.clock.speed = iterations * loop.FRAMES_PER_SECOND

@@ -45,6 +45,11 @@ class Brush:
         return self._gesture is not None
 
     @property
+    def acted(self):
+        """Whether the gesture that is being made has changed anything yet."""
+        return self.painting and self._acted
+
+    @property
     def ink(self):
         """The material that the gesture leaves."""
         return "erase" if self._erasing else self.material

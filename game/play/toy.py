@@ -5,6 +5,7 @@ from functools import cache
 
 from game.play import hud, panel, timebar
 from game.play.background import Background
+from game.play.camera import Camera
 from game.play.commands import Commands
 from game.play.files import Files
 from game.play.forecasting import Forecasting
@@ -64,15 +65,17 @@ class Toy:
         self.notices = Notices()
         self.background = Background(lambda error: self.notices.say(error, trouble=True))
         self.mixer = Mixer(self.background)
-        self.rewind = Rewind()
+        self.rewind, self.camera = Rewind(), Camera(self)
         self.time_bar = timebar.TimeBar(self.theme)
         self.files, self.gallery = Files(self), Gallery(self)
         self.help = Help(self)
         self.photo, self.question = PhotoCard(self), Question(self)
         self.recorder, self.recovery, self.keeper = Recorder(self), Recovery(self), Keeper(self)
-        self.overlays = [self.question, self.gallery, self.photo, self.notices]  # the last one lies on top
+        # the last one lies on top
+        self.overlays = [self.camera.badge, self.question, self.gallery, self.photo, self.notices]
         self.hearing, self.stepping, self.screen = Hearing(self), Stepping(self), Screen(self)
-        self.watchers = [self.recorder, self.keeper]  # what looks at each frame once it is shown, by `look(now_s)`
+        # what looks at each frame once it is shown, by `look(now_s)`
+        self.watchers = [self.recorder, self.keeper, self.camera.badge]
         self._gather_instruments()
 
     def _gather_instruments(self):
@@ -114,6 +117,7 @@ class Toy:
         self.brush.let_go()
         if not self.settings["reduced_motion"]:
             self.stage.start_turn(time.perf_counter())
+        self.camera.turn_over()
         self.do(Flip())
 
     def load(self, name):
@@ -216,7 +220,9 @@ class Toy:
         self.layout = Layout(self.theme, size, self.panel_shown)
         self.time_bar.area = self.layout.bar
         self.window.surface.fill(self.colours.ground)
+        before = self.stage.view
         self.stage.fit(shape, self.layout.sand, self.theme.px(MARGIN), self.theme, walls)
+        self.camera.keep(before)
         self.screen.forget()
 
     def _renew_theme(self):

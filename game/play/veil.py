@@ -20,7 +20,7 @@ class Veil:
             self._view = view
             first, self._columns = _inside(view.columns, self._part.left, self._part.width)
             above, self._rows = _inside(view.rows, self._part.top, self._part.height)
-            self._left, self._top = view.left + first, view.top + above
+            self._left, self._top = view.seen[0] + first, view.seen[1] + above
             self._cover = cover(map_rgb, self.stale)
         for top, bottom in spans:
             rows = self._rows[max(top - self._top, 0) : max(bottom - self._top, 0)]

@@ -1,15 +1,14 @@
-"""The world's look: which colour each cell has and where it lies in an array of pixels. No window is needed."""
-
-from dataclasses import dataclass
+"""The world's look: which colour each cell has, and worlds drawn into arrays of pixels. No window is needed."""
 
 import numpy as np
 
 from game.core.decor import decor_of
+from game.core.density_pixels import draw_density
 from game.core.pixels import TEXTURE, draw_cells, pairs_of, shades_of
 from game.core.planes import WALLS, layout
+from game.world import light
 from game.world.colours import NIGHT, palette, rgb
 
-WHOLE_ENOUGH = 0.8  # of the width that would fit: the least a view may shrink to for the sake of whole pixels
 MOST_DECORATED = 2**24  # cells: in a larger lattice, a painted wall would hold a frame up for too long
 
 
@@ -21,68 +20,31 @@ def texture():
     return (z >> np.uint64(62)).astype(np.uint8)
 
 
-@dataclass(frozen=True)
-class View:
-    """Where a lattice of `shape` (height, width) cells lies among the pixels."""
-
-    shape: tuple
-    left: int  # pixels
-    top: int
-    width: int
-    height: int
-
-    @classmethod
-    def fit(cls, shape, left, top, width, height):
-        """Return the largest view inside a rectangle of pixels, its cells square.
-
-        Cells are whole pixels wide, and so all alike, unless that would waste too much of the rectangle.
-        """
-        rows, columns = shape
-        cell = min(width / columns, height / rows)
-        if int(cell) >= WHOLE_ENOUGH * cell:
-            cell = int(cell)
-        wide, high = max(1, int(columns * cell)), max(1, int(rows * cell))
-        return cls(shape, left + (width - wide) // 2, top + (height - high) // 2, wide, high)
-
-    @property
-    def cell(self):
-        """Pixels to a cell."""
-        return self.width / self.shape[1]
-
-    @property
-    def columns(self):
-        """The lattice column of each pixel column: int32."""
-        return (np.arange(self.width, dtype=np.int64) * self.shape[1] // self.width).astype(np.int32)
-
-    @property
-    def rows(self):
-        """The lattice row of each pixel row: int32."""
-        return (np.arange(self.height, dtype=np.int64) * self.shape[0] // self.height).astype(np.int32)
-
-    def place(self, x, y):
-        """Return the place in the lattice (column, row), in fractions of cells, of the middle of pixel (x, y)."""
-        return (
-            (x - self.left + 0.5) * self.shape[1] / self.width,
-            (y - self.top + 0.5) * self.shape[0] / self.height,
-        )
-
-    def pixel(self, column, row):
-        """Return the pixel position (x, y), in fractions, of a place in the lattice."""
-        return self.left + column * self.width / self.shape[1], self.top + row * self.height / self.shape[0]
-
-
 class Painter:
     """Draws worlds into pixel arrays through one view, and of a world drawn before only the bands that changed."""
 
-    def __init__(self, view, colours=NIGHT, walls="stone", map_rgb=rgb):
-        """`walls`: what they are made of; those of glass are decorated. map_rgb: makes a pixel of three numbers."""
-        self.view = view
-        self._columns, self._rows = view.columns.astype(np.uint32), view.rows
+    def __init__(self, view, colours=NIGHT, walls="stone", map_rgb=rgb, mixes=True):
+        """`walls`: what they are made of; those of glass are decorated. map_rgb: makes a pixel of three numbers.
+
+        mixes: cells that share a pixel mix their light; otherwise it shows one of them.
+        """
         self._pairs = pairs_of(palette(colours, walls, map_rgb))
         self._shades = shades_of(texture(), layout(*view.shape).words)
-        self._world, self._seen = None, 0  # what was drawn last, and its stamp then
+        self._lights = light.lights(palette(colours, walls)) if mixes else None
+        self._channels = light.channels(map_rgb) if mixes else None
+        self._seen = 0  # the stamp of the world drawn last
         self._glass = walls == "glass" and view.shape[0] * view.shape[1] <= MOST_DECORATED
         self._decor = self._decorated = None  # what decorates the glass, and its walls
+        self.look_through(view)
+
+    def look_through(self, view):
+        """Draw through another view of the same lattice, everything at first."""
+        self.view, self._world = view, None
+        self._counts = view.dense and self._lights is not None
+        if self._counts:
+            self._columns, self._rows = view.column_edges, view.row_edges
+        else:
+            self._columns, self._rows = view.columns.astype(np.uint32), view.rows
 
     def draw(self, world, pixels, damage=()):
         """Draw what differs from the last drawing into `pixels`, an (h, w) uint32 array that holds the view, in place.
@@ -114,35 +76,35 @@ class Painter:
 
     def _changed(self, world):
         """Yield the spans of pixel rows that show bands changed since the last drawing."""
+        _, top, _, bottom = self.view.seen
         if world is not self._world:
-            yield self.view.top, self.view.top + self.view.height
+            yield top, bottom
             return
         band_height = 2 * world.activity.band_rows
         for band in np.nonzero(world.activity.changed > self._seen)[0]:
             # a band's blocks reach a row further down; looks tell of the two rows above and of walls below
-            rows = band * band_height - 1, (band + 1) * band_height + 3
-            top, bottom = np.searchsorted(self._rows, rows)
-            yield self.view.top + int(top), self.view.top + int(bottom)
+            yield self._pixels_of(band * band_height - 1, (band + 1) * band_height + 3)
+
+    def _pixels_of(self, first, last):
+        """Return the span of pixel rows in sight that show any of the lattice rows from `first` to before `last`."""
+        top, rows = self.view.seen[1], self._rows
+        if self._counts:
+            first, last = max(np.searchsorted(rows, first, "right") - 1, 0), np.searchsorted(rows[:-1], last)
+        else:
+            first, last = np.searchsorted(rows, (first, last))
+        return top + int(first), top + int(last)
 
     def _clipped(self, top, bottom):
-        return max(top, self.view.top), min(bottom, self.view.top + self.view.height)
+        return max(top, self.view.seen[1]), min(bottom, self.view.seen[3])
 
     def _draw_rows(self, world, pixels, top, bottom):
-        where, rows = world.layout, self._rows[top - self.view.top : bottom - self.view.top]
-        columns, shades, pairs = self._columns, self._shades, self._pairs
-        draw_cells(
-            world.planes,
-            self._decor,
-            where.stride,
-            where.words,
-            columns,
-            rows,
-            shades,
-            pairs,
-            pixels,
-            top,
-            self.view.left,
-        )
+        left, first, _, _ = self.view.seen
+        where, columns, rows = world.layout, self._columns, self._rows[top - first : bottom - first + self._counts]
+        what = world.planes, self._decor, where.stride, where.words, columns, rows
+        if self._counts:
+            draw_density(*what, self._lights, self._channels, pixels, top, left)
+        else:
+            draw_cells(*what, self._shades, self._pairs, pixels, top, left)
 
 
 def _merged(spans):

@@ -10,8 +10,9 @@ from game.world.forecast import growing_counts
 from game.world.forecaster import Question, answer_of
 from game.world.heat_colours import cover
 from game.world.part import Part, Still
-from game.world.picture import Painter, View, rgb
+from game.world.picture import Painter, rgb
 from game.world.rule import Rule
+from game.world.view import View
 from game.world.world import World
 
 KINDS = {  # a rule for each kind of kernel
@@ -21,9 +22,12 @@ KINDS = {  # a rule for each kind of kernel
 }
 
 
-def steps(rule):
-    """Return [(what, act)], every kernel that playing a scene with `rule` needs; call each act to make it ready."""
-    return [
+def steps(rule, dense=False):
+    """Return [(what, act)], every kernel that playing a scene with `rule` needs; call each act to make it ready.
+
+    dense: the scene has more cells than the window has pixels.
+    """
+    return [("drawing from afar", _draw_from_afar)] * dense + [
         ("the layout of the cells", lambda: (_dot().sand, _dot().flip())),
         (_kind_of(rule), lambda: advance(_dot(), rule, 1)),
         ("drawing", _draw),
@@ -34,9 +38,12 @@ def steps(rule):
 def later_steps(rule):
     """Return [(what, act)] for the kernels that a player may need next."""
     others = [(what, other) for what, other in KINDS.items() if what != _kind_of(rule)]
-    return [("the turn of the glass", _turn), ("the figures", _figures), ("the forecast", _forecast)] + [
-        (what, lambda other=other: advance(_dot(), other, 1)) for what, other in others
-    ]
+    return [
+        ("the turn of the glass", _turn),
+        ("the figures", _figures),
+        ("drawing from afar", _draw_from_afar),
+        ("the forecast", _forecast),
+    ] + [(what, lambda other=other: advance(_dot(), other, 1)) for what, other in others]
 
 
 def _dot():
@@ -46,6 +53,10 @@ def _dot():
 
 def _draw():
     Painter(View.fit((2, 2), 0, 0, 2, 2)).draw(_dot(), np.zeros((2, 2), np.uint32))
+
+
+def _draw_from_afar():
+    Painter(View.fit((2, 2), 0, 0, 1, 1)).draw(_dot(), np.zeros((1, 1), np.uint32))
 
 
 def _turn():

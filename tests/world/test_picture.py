@@ -4,10 +4,12 @@ import numpy as np
 import pytest
 
 from game import Rule, advance
-from game.core.pixels import SHADES, TEXTURE
-from game.world.action import Paint, apply
+from game.core.pixels import AIR, GRAIN, SHADES, SURFACE, TEXTURE, WALL
+from game.world import light
+from game.world.action import MATERIALS, Paint, apply
 from game.world.colours import NIGHT, palette
-from game.world.picture import Painter, View, texture
+from game.world.picture import Painter, texture
+from game.world.view import View
 from tests.cells import random_world
 from tests.looks import looks_of
 
@@ -31,50 +33,53 @@ def test_every_pixel_has_the_colour_of_its_cell(shape, cell):
     assert (drawn(world, view, height, width) == wanted).all()
 
 
-@pytest.mark.parametrize(("shape", "size"), [((100, 300), (150, 50)), ((90, 90), (140, 131)), ((7, 5), (640, 480))])
-def test_a_view_fits_keeps_cells_square_and_shows_every_part(shape, size):
-    view = View.fit(shape, 10, 20, *size)
-    assert view.left >= 10 and view.top >= 20
-    assert view.left + view.width <= 10 + size[0] and view.top + view.height <= 20 + size[1]
-    assert view.width / shape[1] == pytest.approx(view.height / shape[0], abs=1 / min(shape))
-    assert max(view.width / size[0], view.height / size[1]) >= 0.7
-    assert view.columns[0] == 0 and view.rows[0] == 0
-    assert view.columns[-1] >= shape[1] - max(1, 1 / view.cell) - 1 and (np.diff(view.columns) >= 0).all()
-
-
-@pytest.mark.parametrize("size", [(900, 700), (333, 211)])
-def test_the_cell_under_a_pixel_is_the_cell_drawn_there(size):
-    view = View.fit((50, 80), 5, 6, *size)
-    for x in range(view.left, view.left + view.width, 7):
-        for y in range(view.top, view.top + view.height, 5):
-            column, row = view.place(x, y)
-            assert (int(column), int(row)) == (view.columns[x - view.left], view.rows[y - view.top])
-
-
 def test_all_shades_are_used_about_equally():
     counts = np.bincount(texture().ravel(), minlength=SHADES)
     assert len(counts) == SHADES and counts.min() > 0.7 * TEXTURE**2 / SHADES
 
 
 @pytest.mark.parametrize("size", [(400, 1500), (311, 401)])
-def test_what_is_drawn_piece_by_piece_is_the_whole_picture(size):
+@pytest.mark.parametrize("cell", [None, 0.07, 0.37, 1, 3])
+def test_what_is_drawn_piece_by_piece_is_the_whole_picture(size, cell):
     generator = np.random.default_rng(2)
     world = random_world(generator, 1400, 300, sand=0.02, walls=0.02)
     rule = Rule.with_p(0.7, "balanced")
-    painter, view = Painter(View.fit(world.shape, 5, 6, *size)), View.fit(world.shape, 5, 6, *size)
-    pixels = np.zeros((size[1] + 20, size[0] + 20), np.uint32)
+    view = View.fit(world.shape, 5, 6, *size)
+    if cell:
+        view = View.near(world.shape, (5, 6, *size), cell, (140, 800), 100, 100)
+    painter, pixels = Painter(view), np.zeros((size[1] + 20, size[0] + 20), np.uint32)
     drawn = 0
-    for number in range(120):
+    for number in range(60):
         advance(world, rule, int(generator.integers(0, 60)))
         if number % 7 == 0:
             row = float(generator.integers(1400))
-            material = ("sand", "wall", "erase")[generator.integers(3)]
+            material = list(MATERIALS)[generator.integers(3)]
             apply(Paint(material, (150.5, row + 0.5), (160.5, row + 0.5), 3, over_walls=True), world, rule)
         drawn += sum(bottom - top for top, bottom in painter.draw(world, pixels))
         whole = np.zeros_like(pixels)
         Painter(view).draw(world, whole)
         assert (pixels == whole).all(), number
-    assert drawn < 110 * view.height
+    assert drawn < 55 * (view.seen[3] - view.seen[1])
+
+
+def light_of(values):
+    """Return the light of pixel values 0xRRGGBB in 0 … 1: (…, 3)."""
+    return light.linear(np.stack([values >> 16 & 255, values >> 8 & 255, values & 255], axis=-1) / 255)
+
+
+@pytest.mark.parametrize("cell", [0.05, 0.26, 1 / 3, 0.5, 0.81])
+def test_a_pixel_of_many_cells_has_their_mean_light(cell):
+    world = random_world(np.random.default_rng(6), 261, 398)
+    view = View.near(world.shape, (2, 3, 120, 100), cell, (200, 130), 60, 50)
+    shown = light_of(drawn(world, view, 110, 130)[view.seen[1] : view.seen[3], view.seen[0] : view.seen[2]])
+    sand, walls = world.sand, world.walls
+    lit = np.vstack([sand[:1], sand[1:] & ~(sand | walls)[:-1]])
+    places = np.where(lit, SURFACE, np.where(sand, GRAIN, np.where(walls, WALL, AIR)))
+    means = light_of(palette(NIGHT)).mean(axis=1)[places]
+    rows, columns = view.row_edges, view.column_edges
+    for y, x in np.random.default_rng(7).integers(0, shown.shape[:2], (200, 2)):
+        part = means[rows[y] : rows[y + 1], columns[x] : columns[x + 1]]
+        assert shown[y, x] == pytest.approx(part.mean(axis=(0, 1)), abs=0.005)
 
 
 def test_a_world_that_rests_is_not_drawn_again():

@@ -10,7 +10,8 @@ from game.study.bench.rounds import Candidate, take_turns
 from game.study.bench.table import Column, Table
 from game.world.action import Paint, apply
 from game.world.colours import NIGHT, palette
-from game.world.picture import Painter, View, texture
+from game.world.picture import Painter, texture
+from game.world.view import View
 
 COLUMNS = (
     Column("name", "act"),

@@ -1,0 +1,34 @@
+"""Light: colours as amounts of light, which mix as the eye does where many cells share a pixel."""
+
+import numpy as np
+
+from game.core.density_pixels import LIGHTS
+from game.core.pixels import AIR, GLEAM, GRAIN, INSIDE, POST, SURFACE, WALL, WOOD
+
+
+def linear(values):
+    """Return the light of sRGB components in 0 … 1: (…) float64 in 0 … 1. Source: IEC 61966-2-1."""
+    values = np.asarray(values, float)
+    return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+
+
+def lights(palette):
+    """Return the light of air, then what each kind of cell that core.density_pixels counts adds to it.
+
+    palette: (LOOKS, shades) 0xRRGGBB. Result: (1 + kinds, 3) float64 in levels of light.
+    """
+    components = np.stack([palette >> 16 & 255, palette >> 8 & 255, palette & 255], axis=-1)
+    look = linear(components / 255).mean(axis=1) * (LIGHTS - 1)
+    air = look[AIR]
+    plain = [air, look[GRAIN] - air, look[SURFACE] - look[GRAIN], look[WALL] - air]
+    return np.stack([*plain, look[WOOD] - look[WALL], look[INSIDE] - air, look[GLEAM] - air, look[POST] - air])
+
+
+def channels(map_rgb):
+    """Return each level of light as red, green and blue part of a pixel value: (3, LIGHTS) uint32."""
+    light = np.arange(LIGHTS) / (LIGHTS - 1)
+    places = np.searchsorted(linear(np.arange(1, 256) / 255 - 0.5 / 255), light, "right")
+    red = [map_rgb(value, 0, 0) for value in range(256)]
+    green = [map_rgb(0, value, 0) for value in range(256)]
+    blue = [map_rgb(0, 0, value) for value in range(256)]
+    return np.array([red, green, blue], np.uint32)[:, places]
