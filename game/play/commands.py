@@ -112,9 +112,13 @@ class Commands:
         if self.toy.is_there():
             self.toy.files.save()
 
+    def show_scenes(self):
+        """Show the shipped scenes, or close their page."""
+        self.toy.gallery.toggle(0)
+
     def open_scenes(self):
         """Show the saved scenes, or close their list."""
-        self.toy.gallery.toggle()
+        self.toy.gallery.toggle(1)
 
     def shoot_window(self):
         """Take a picture of the window."""

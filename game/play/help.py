@@ -34,6 +34,10 @@ class Help:
         if not self.shown:
             self._toy.lay_out_anew()
 
+    def forget(self):
+        """Draw everything next time."""
+        self._drawn = None
+
     def listen(self, events, now_s, mouse_pos):
         """Close at a click, and leave the keys to their commands."""
         rest = []
@@ -138,7 +142,7 @@ def _fitting(theme, window):
         if scale == knob.UI_SCALE.low:
             return way
         scale = max(scale * SMALLER, knob.UI_SCALE.low)
-        theme = look.Theme(scale)
+        theme = look.Theme(scale, theme.colours)
 
 
 def _columns(every, count):

@@ -69,6 +69,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("", (pygame.K_DOWN,), "look 0 1", "", CTRL),
     ),
     "Scenes and pictures": (
+        Key("F2", (pygame.K_F2,), "show_scenes", "gallery of scenes"),
         Key("Ctrl+S", (pygame.K_s,), "save", "save the scene", CTRL),
         Key("Ctrl+O", (pygame.K_o,), "open_scenes", "open a saved scene", CTRL),
         Key("F12", (pygame.K_F12,), "shoot_window", "picture of the window"),

@@ -65,6 +65,8 @@ class Panel:
             toy.load(names[chosen])
         if scene.notice:
             ui.text(scene.notice, dim=True)
+        if ui.button("Gallery", key="F2", tip="All scenes at once, running, with a sentence on each"):
+            toy.commands.show_scenes()
 
     def _friction(self, toy):
         ui, rule, scene = self.ui, toy.session.rule, toy.session.scene

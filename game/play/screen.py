@@ -16,12 +16,14 @@ class Screen:
         """Draw the lines under the sand and the panel anew next time."""
         self._hud_drawn = self._bar_drawn = None
         self._toy.panel.ui.invalidate()
+        if self._toy.page:
+            self._toy.page.forget()
 
     def draw(self, now_s):
         """Draw the parts of the window that differ from what is on it; return their rects."""
         toy, layout, surface = self._toy, self._toy.layout, self._toy.window.surface
-        if toy.help.shown:
-            return toy.help.draw(surface)
+        if toy.page:
+            return toy.page.draw(surface)
         if self.stale:
             toy.stage.refresh()
         rects = []
@@ -63,6 +65,6 @@ class Screen:
     def _marks(self):
         """Return the marks of the tool where the pointer is over the sand."""
         toy, pointer = self._toy, self._toy.hearing.pointer
-        if pointer is None or toy.camera.busy or toy.stage.turn or toy.gallery.shown or toy.photo.shown:
+        if pointer is None or toy.camera.busy or toy.stage.turn or toy.photo.shown:
             return ()
         return toy.brush.marks(toy.stage.view.place(*pointer), toy.stage.view)

@@ -69,10 +69,11 @@ class Toy:
         self.time_bar = timebar.TimeBar(self.theme)
         self.files, self.gallery = Files(self), Gallery(self)
         self.help = Help(self)
+        self.pages = [self.help, self.gallery]  # what takes the place of everything else in the window while it is open
         self.photo, self.question = PhotoCard(self), Question(self)
         self.recorder, self.recovery, self.keeper = Recorder(self), Recovery(self), Keeper(self)
         # the last one lies on top
-        self.overlays = [self.camera.badge, self.question, self.gallery, self.photo, self.notices]
+        self.overlays = [self.camera.badge, self.question, self.photo, self.notices]
         self.hearing, self.stepping, self.screen = Hearing(self), Stepping(self), Screen(self)
         # what looks at each frame once it is shown, by `look(now_s)`
         self.watchers = [self.recorder, self.keeper, self.camera.badge]
@@ -102,6 +103,11 @@ class Toy:
             self.notices.say("The sand is still being computed.")
         return there
 
+    @property
+    def page(self):
+        """The page that is open, or None."""
+        return next((each for each in self.pages if each.shown), None)
+
     def refresh(self):
         """Have the stage drawn anew: what lies over the sand looks different."""
         self.screen.stale = True
@@ -115,7 +121,7 @@ class Toy:
         if self.stage.turn:
             return
         self.brush.let_go()
-        if not self.settings["reduced_motion"]:
+        if not self.settings["reduced_motion"] and not self.page:
             self.stage.start_turn(time.perf_counter())
         self.camera.turn_over()
         self.do(Flip())
@@ -192,13 +198,13 @@ class Toy:
 
     def _left_by_overlays(self, events, now_s, mouse_pos):
         """Return the events that nothing which lies over the sand has taken."""
-        for each in (self.help, *self.overlays[::-1]):
+        for each in (*self.pages, *self.overlays[::-1]):
             if each.shown:
                 events = each.listen(events, now_s, mouse_pos)
         return events
 
     def _lay_out_panel(self, events, now_s, mouse_pos):
-        if not self.panel_shown or self.help.shown:
+        if not self.panel_shown or self.page:
             return events
         return self.panel.lay_out(self.layout.panel, events, now_s, mouse_pos, self)
 

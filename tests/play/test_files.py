@@ -81,7 +81,7 @@ def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
     gallery = player.toy.gallery
     player.key(pygame.K_o, mod=CTRL)
     player.settle()
-    assert [path for path in gallery.paths if gallery._sprites[path]] == gallery.paths and len(gallery.paths) == 3
+    assert len(gallery.shelf) == 3 and all(gallery.shelf.picture(number) for number in range(3))
     player.key(pygame.K_END)
     assert gallery.chosen == 2
     player.key(pygame.K_ESCAPE)

@@ -1,0 +1,106 @@
+"""The shelf of saved scenes: their pictures, read beside the frames, the newest first."""
+
+from functools import partial
+
+import pygame
+
+from game.play.ui.acts import key_name
+from game.world.places import folder_of
+
+BATCH = 6  # pictures read at a time
+LARGEST = 640, 480  # pixels of a picture that is kept
+
+
+def saved_scenes():
+    """Return the paths of the saved scenes, the newest first."""
+
+    def age(path):
+        try:
+            return path.stat().st_mtime_ns
+        except OSError:
+            return 0
+
+    return sorted(folder_of("scenes").glob("*.png"), key=age, reverse=True)
+
+
+class SavedScenes:
+    """The user's own scenes."""
+
+    title = "Saved"
+    waiting = "no picture"
+    empty = f"Nothing is saved yet: {key_name('Ctrl+S')} saves the scene as it is."
+    first = 0
+
+    def __init__(self, toy):
+        self._toy = toy
+        self.paths = []
+        self._pictures = {}  # path: a surface, or None where there is no picture in it
+        self._sprites = {}  # number: (size, surface) as drawn last
+
+    def __len__(self):
+        return len(self.paths)
+
+    def begin(self):
+        """Look what is saved now."""
+        self.paths, self._pictures, self._sprites = saved_scenes(), {}, {}
+        self._read_on()
+
+    def name(self, number):
+        """Return the name of a scene."""
+        return self.paths[number].stem
+
+    def about(self, number):
+        """Return where a scene is."""
+        return str(self.paths[number])
+
+    def picture(self, number):
+        """Return the picture of a scene, or None."""
+        return self._sprites[number][1] if number in self._sprites else None
+
+    def open(self, number):
+        """Play a scene."""
+        self._toy.files.open(self.paths[number])
+
+    def run(self, now_s, rooms):
+        """Fit the pictures that were read into their rooms; return the numbers of those that look different."""
+        moved = []
+        for number, room in rooms.items():
+            picture = self._pictures.get(self.paths[number])
+            if picture and self._sprites.get(number, (None,))[0] != room:
+                self._sprites[number] = room, _fitting(picture, room)
+                moved.append(number)
+        return moved
+
+    def _read_on(self):
+        """Read the next few pictures beside the frames."""
+        next_ones = [path for path in self.paths if path not in self._pictures][:BATCH]
+        if next_ones and self._toy.gallery.shown:
+            self._toy.background.do(partial(_thumbnails, next_ones), self._take)
+
+    def _take(self, found):
+        for path, size, data in found:
+            self._pictures[path] = pygame.image.frombytes(data, size, "RGB") if size else None
+        self._read_on()
+
+
+def _thumbnails(paths):
+    """Return [(path, size, RGB bytes)], with (path, None, None) for a file without a picture."""
+    from PIL import Image
+
+    found = []
+    for path in paths:
+        try:
+            with Image.open(path, formats=("PNG",)) as image:
+                small = image.convert("RGB")
+                small.thumbnail(LARGEST, Image.Resampling.BOX)
+                found.append((path, small.size, small.tobytes()))
+        except Exception:  # Pillow's decoders raise whatever a damaged file makes them trip over
+            found.append((path, None, None))
+    return found
+
+
+def _fitting(sprite, room):
+    """Return the sprite as large as `room` allows."""
+    scale = min(room[0] / sprite.get_width(), room[1] / sprite.get_height())
+    size = max(1, round(sprite.get_width() * scale)), max(1, round(sprite.get_height() * scale))
+    return pygame.transform.smoothscale(sprite, size) if scale < 1 else pygame.transform.scale(sprite, size)
