@@ -85,6 +85,15 @@ def count(planes, where, first=SAND):
     return sum(int(np.bitwise_count(plane[:, : where.words]).sum()) for plane in rows)
 
 
+def count_above(planes, where, row, first=SAND):
+    """Return how many cells above lattice row `row` are set in the four planes from `first`."""
+    whole = count(planes, where._replace(rows=row // 2), first)
+    start = row // 2 * where.stride
+    return whole + (
+        int(np.bitwise_count(planes[first : first + 2, start : start + where.words]).sum()) if row % 2 else 0
+    )
+
+
 def bands(planes, where, first=SAND, height=64):
     """Yield the cells of the four planes from `first` as (height or less, W) bool arrays, from the top down."""
     for top in range(0, where.height, height):

@@ -147,6 +147,16 @@ class Commands:
         """Show where the sand will be, or no longer."""
         self.toy.forecasting.toggle()
 
+    def toggle_plots(self):
+        """Show the plots of what the sand does, or no longer."""
+        self.toy.plots.toggle()
+        if self.toy.plots.shown and not self.toy.plots.fit:
+            self.toy.notices.say("The window is too small for the plots.")
+
+    def save_measures(self):
+        """Save what the plots have measured."""
+        self.toy.plots.save()
+
     def toggle_fullscreen(self):
         """Fill the screen, or go back."""
         self.toy.window.toggle_fullscreen()

@@ -15,6 +15,7 @@ class Screen:
     def forget(self):
         """Draw the lines under the sand and the panel anew next time."""
         self._hud_drawn = self._bar_drawn = None
+        self._toy.plots.forget()
         self._toy.panel.ui.invalidate()
         if self._toy.page:
             self._toy.page.forget()
@@ -40,6 +41,7 @@ class Screen:
             paint.draw(surface, toy.theme, line)
             self._hud_drawn = line
             rects.append(layout.hud)
+        rects += toy.plots.draw(surface)
         if toy.panel_shown and toy.panel.ui.end(surface):
             rects.append(layout.panel)
         return rects

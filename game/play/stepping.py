@@ -13,6 +13,7 @@ class Stepping:
 
     def __init__(self, toy):
         self._toy = toy
+        self.frame_ns = 0  # what the whole of the last frame took
         self._own_ns = self._other_ns = 0  # what stepping took in this frame, and anything else in the last one
         self._way_since_s = None  # since when another moment is being computed
 
@@ -29,7 +30,7 @@ class Stepping:
 
     def note(self, work_ns):
         """Take in what the whole frame took."""
-        self._other_ns = work_ns - self._own_ns
+        self.frame_ns, self._other_ns = work_ns, work_ns - self._own_ns
 
     def passing(self, now_s):
         """Return whether the moment that is computed is one on the way, passed too quickly to be worth a look."""

@@ -17,6 +17,7 @@ from game.play.layout import Layout
 from game.play.mixer import Mixer
 from game.play.notice import Notices
 from game.play.photo import PhotoCard
+from game.play.plots import Plots
 from game.play.question import Question
 from game.play.recorder import Recorder
 from game.play.recovery import Recovery
@@ -81,8 +82,9 @@ class Toy:
 
     def _gather_instruments(self):
         self.forecasting = Forecasting(self)
+        self.plots = Plots(self)
         self.overlays.insert(0, self.forecasting)
-        self.watchers.append(self.forecasting)
+        self.watchers += [self.forecasting, self.plots]
 
     # --- what the parts ask of it ---
 
@@ -223,7 +225,7 @@ class Toy:
             return
         self._size = size, shape, walls, self.colours
         self._renew_theme()
-        self.layout = Layout(self.theme, size, self.panel_shown)
+        self.layout = Layout(self.theme, size, self.panel_shown, shape if self.plots.shown else None)
         self.time_bar.area = self.layout.bar
         self.window.surface.fill(self.colours.ground)
         before = self.stage.view

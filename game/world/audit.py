@@ -18,6 +18,14 @@ class Account:
         """How many grains there must be now."""
         return self.start + self.painted - self.erased + self.poured - self.swallowed
 
+    @property
+    def lines(self):
+        """The books as [(sign, word, grains)], what there must be now last; taps and drains where they worked."""
+        lines = [("", "at the start", self.start), ("+", "painted", self.painted), ("-", "erased", self.erased)]
+        if self.poured or self.swallowed:
+            lines += [("+", "poured", self.poured), ("-", "swallowed", self.swallowed)]
+        return [*lines, ("=", "now", self.expected)]
+
     def booked(self, change):
         """Return the account after an act that changed the number of grains by `change`."""
         if change > 0:

@@ -4,6 +4,8 @@ import math
 
 import numpy as np
 
+from game.core.heights import stack_heights
+from game.core.planes import count_above
 from game.world.advance import advance
 
 FLANK = 0.2, 0.8  # parts of a pile's height between which its slope is taken: foot and tip are rounded
@@ -11,7 +13,7 @@ FLANK = 0.2, 0.8  # parts of a pile's height between which its slope is taken: f
 
 def grains_above(world, row):
     """Return the number of grains in the rows above `row`."""
-    return int(np.count_nonzero(world.sand[:row]))
+    return count_above(world.planes, world.layout, min(max(row, 0), world.shape[0]))
 
 
 def flow(world, rule, iterations, row):
@@ -26,9 +28,10 @@ def pile_heights(world, top=0):
 
     The ground is the lattice's edge and the walls that rise from it.
     """
-    sand, walls = world.sand[top:][::-1], world.walls[top:][::-1]
-    stacked = np.logical_and.accumulate(sand | walls)
-    return (stacked & sand).sum(axis=0)
+    height, width = world.shape
+    heights = np.zeros(width, np.int64)
+    stack_heights(world.planes, world.layout.stride, world.layout.words, top, height, heights)
+    return heights
 
 
 def slope_degrees(heights):

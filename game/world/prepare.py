@@ -9,6 +9,7 @@ from game.world.advance import advance
 from game.world.forecast import growing_counts
 from game.world.forecaster import Question, answer_of
 from game.world.heat_colours import cover
+from game.world.measure import pile_heights
 from game.world.part import Part, Still
 from game.world.picture import Painter, rgb
 from game.world.rule import Rule
@@ -43,6 +44,7 @@ def later_steps(rule):
         ("the figures", _figures),
         ("drawing from afar", _draw_from_afar),
         ("the forecast", _forecast),
+        ("the measures", lambda: pile_heights(_dot())),
     ] + [(what, lambda other=other: advance(_dot(), other, 1)) for what, other in others]
 
 

@@ -12,7 +12,7 @@ from game.world.colours import WALL_LOOKS
 from game.world.drawing import EMPTY, SAND, WALL, painted_cells, resampled, written_cells
 from game.world.fixture import DRAIN, TAP
 from game.world.rule import FIELDS, SCHEDULES, Rule
-from game.world.shapes import Scale, paint
+from game.world.shapes import Scale, middle_of_glass, paint
 from game.world.table import SceneError, read_table
 from game.world.world import World
 
@@ -39,6 +39,7 @@ class Scene:
     rule: Rule
     speed: float  # iterations per second
     cell: int  # pixels across one cell
+    neck: int | None = None  # the row in the middle of its glass, if it has one
     made_of: str = WALL_LOOKS[0]  # what the walls look like
     fixtures: tuple = ()  # of Fixture: taps and drains
     shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
@@ -78,6 +79,7 @@ def load_scene(name_or_path, size=None):
         rule=rule,
         speed=table.number("speed", knob.SPEED, knob.SPEED.default),
         cell=table.number("cell", knob.CELL, knob.CELL.default),
+        neck=_neck(table, cells.shape),
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
         fixtures=_fixtures(table, own_size, sand.shape),
         shipped=path.parent == asset("scenes"),
@@ -148,6 +150,16 @@ def _fixtures(table, own_size, shape):
             each.allow(fixture.KEYS)
             found.append(fixture.read(each, kind).scaled(shape[1] / own_size[0], shape[0] / own_size[1]))
     return tuple(found)
+
+
+def _neck(table, shape):
+    """Return the row in the middle of the first glass that `table` describes, on a lattice of `shape`, or None."""
+    if any(source in table for source in SOURCES[:2]):
+        return None
+    own_height = table.number("height", knob.SIDE)
+    middles = (middle_of_glass(each, own_height) for each in table.tables("shape"))
+    middle = next((each for each in middles if each is not None), None)
+    return None if middle is None else round(middle * shape[0] / own_height)
 
 
 def _rule(table):

@@ -67,6 +67,13 @@ def _paint_once(cells, kind, table, scale):
     _paint_region(cells, described(table, scale), material, scale)
 
 
+def middle_of_glass(table, height):
+    """Return the place of the neck's middle, in cells from the top of a scene of `height`; None for no hourglass."""
+    if table.choice("kind", ("hourglass", *KINDS)) != "hourglass":
+        return None
+    return table.number("y", PLACE, 0.0) + table.number("height", LENGTH, height) / 2
+
+
 def _paint_region(cells, shape, material, scale):
     """Give `material` to the cells whose centres the region holds, in place."""
     height, width = cells.shape

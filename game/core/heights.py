@@ -1,0 +1,63 @@
+"""Heights: how many grains rest on the ground in each column, 64 columns of planes at a time."""
+
+import numpy as np
+
+from game.core.jit import gate, kernel
+from game.core.planes import BITS, SAND, WALLS
+
+DIGITS = 15  # binary places of a height: a lattice is at most 16384 cells high
+
+_ZERO = np.uint64(0)
+_ONE = np.uint64(1)
+_FULL = np.uint64(2**64 - 1)
+
+
+@gate
+def _add(digits, ones):
+    """Count one more where `ones` is set: bit i of digit k belongs to the k-th binary place of count i."""
+    k = 0
+    while ones:
+        carry = digits[k] & ones
+        digits[k] ^= ones
+        ones = carry
+        k += 1
+
+
+@gate
+def _stack(planes, stride, word, parity, top, bottom, digits):
+    """Count the grains that rest in the rows from `bottom` - 1 up to `top`, in the columns of one word."""
+    standing = _FULL
+    for y in range(bottom - 1, top - 1, -1):
+        plane, at = 2 * (y & 1) + parity, (y >> 1) * stride + word
+        sand = planes[SAND + plane, at]
+        standing &= sand | planes[WALLS + plane, at]
+        if standing == _ZERO:
+            break
+        _add(digits, standing & sand)
+
+
+@gate
+def _number(digits, lane):
+    """Return one of the 64 counts."""
+    number = _ZERO
+    for k in range(DIGITS):
+        number |= ((digits[k] >> lane) & _ONE) << np.uint64(k)
+    return np.int64(number)
+
+
+@kernel
+def stack_heights(planes, stride, words, top, bottom, heights):
+    """Write how many grains rest on the ground in each column, in rows `top` … `bottom` - 1, to (W,) int64 `heights`.
+
+    The ground is the row `bottom` and the walls that rise from it; sand above a gap is left out.
+    """
+    width = len(heights)
+    digits = np.empty(DIGITS, np.uint64)
+    for word in range(words):
+        for parity in range(2):
+            digits[:] = _ZERO
+            _stack(planes, stride, word, parity, top, bottom, digits)
+            for lane in range(BITS):
+                x = 2 * (lane * words + word) + parity
+                if x < width:
+                    heights[x] = _number(digits, np.uint64(lane))

@@ -1,0 +1,190 @@
+"""The plots: what a session's sand does, drawn small and live beside it, and saved as a table of numbers."""
+
+import math
+import time
+
+import pygame
+
+from game.play import charts
+from game.play.layout import Layout
+from game.play.ui import paint
+from game.play.ui import theme as look
+from game.world.places import new_file
+from game.world.saving import save
+from game.world.session import BUDGET_NS
+from game.world.watch import COLUMNS, PROFILE_COLUMNS, Watch, csv
+
+SAMPLE_S = 0.25
+SHARE = 50  # sampling may take one part in so many of the time: it comes less often where the lattice is huge
+LONGEST_S = 5.0  # … but not for longer than this
+GAP = 6  # pixels at scale 1 between cards
+
+
+class Plots:
+    """The cards, if they are open; closed they measure nothing."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self.shown = False
+        self._set_row = None  # (scene, row): where the player wants to measure in that scene
+        self._watch = self._drawing = self._drawn = None
+        self._since_s = self._next_s = 0.0
+        self._slowest_ns = 0
+
+    def toggle(self):
+        """Open the plots, or close them."""
+        self.shown = not self.shown
+        self._watch = None
+        self._toy.lay_out_anew()
+
+    @property
+    def own_row(self):
+        """The row that the scene itself asks for: the middle of its glass, or of the scene."""
+        neck, height = self._toy.session.scene.neck, self._toy.session.world.shape[0]
+        return height // 2 if neck is None or neck >= height else neck
+
+    @property
+    def measured_row(self):
+        """The row that parts above from below: the scene's, or what was set in its place."""
+        scene, row = self._set_row or (None, 0)
+        return row if scene is self._toy.session.scene else self.own_row
+
+    @measured_row.setter
+    def measured_row(self, row):
+        self._set_row = self._toy.session.scene, row
+
+    @property
+    def fit(self):
+        """Whether the window has room for them."""
+        toy = self._toy
+        return Layout(toy.theme, toy.window.size, toy.panel_shown, toy.session.world.shape).plots is not None
+
+    def look(self, now_s):
+        """Measure if it is time to."""
+        if not self.shown:
+            return
+        self._slowest_ns = max(self._slowest_ns, self._toy.stepping.frame_ns)
+        fits = self._watch and (self._watch.session, self._watch.row) == (self._toy.session, self.measured_row)
+        fits = fits and len(self._watch.heights) == self._toy.session.world.shape[1]
+        if fits and now_s < self._next_s:
+            return
+        begin = time.perf_counter()
+        if not fits:
+            self._watch, self._since_s = Watch(self._toy.session, self.measured_row), now_s
+        self._watch.follow(now_s - self._since_s, self._slowest_ns / 1e6)
+        self._next_s = now_s + min(max(SAMPLE_S, SHARE * (time.perf_counter() - begin)), LONGEST_S)
+        self._slowest_ns, self._drawing = 0, None
+
+    def forget(self):
+        """Draw the cards anew next time."""
+        self._drawn = self._drawing = None
+
+    def draw(self, surface):
+        """Draw the cards if they look different; return the rects that changed."""
+        area = self._toy.layout.plots
+        if not area or not self._watch:
+            return []
+        if self._drawing is None:
+            self._drawing = self._strokes(area)
+        if self._drawing == self._drawn:
+            return []
+        self._drawn = self._drawing
+        paint.draw(surface, self._toy.theme, self._drawing)
+        return [area]
+
+    def save(self):
+        """Save what was measured so far: the story as one table, the pile's profile as another."""
+        if not self._watch:
+            self._toy.notices.say("There is nothing to save yet: L opens the plots.")
+            return
+        name, rows = self._toy.session.scene.name, self._watch.rows()
+        profile = list(enumerate(self._watch.heights.tolist()))
+
+        def work():
+            path = new_file("measures", name, ".csv")
+            save(path, csv(COLUMNS, rows))
+            beside = path.with_name(f"{path.stem} profile.csv")
+            save(beside, csv(PROFILE_COLUMNS, profile))
+            return path
+
+        self._toy.background.do(work, lambda path: self._toy.notices.say(f"Saved as {path}, the profile beside it"))
+
+    # --- the cards ---
+
+    def _strokes(self, area):
+        px = self._toy.theme.px
+        cards = (self._flow, self._filling, self._pile, self._frames, self._audit)
+        strokes = [(paint.fill, tuple(area), look.SUNKEN)]
+        tall = area.height > area.width
+        for number, each in enumerate(cards):
+            if tall:
+                top, bottom = (area.height * edge // len(cards) for edge in (number, number + 1))
+                rect = pygame.Rect(area.x, area.y + top, area.width, bottom - top)
+            else:
+                left, right = (area.width * edge // len(cards) for edge in (number, number + 1))
+                rect = pygame.Rect(area.x + left, area.y, right - left, area.height)
+            strokes += each(rect.inflate(-px(GAP), -px(GAP)))
+        return strokes
+
+    def _flow(self, rect):
+        flows = self._watch.flows()
+        known = [each for each in flows if not math.isnan(each)]
+        now = "" if not flows or math.isnan(flows[-1]) else f"{flows[-1]:.3g} grains/it."
+        strokes, room = charts.card(self._toy.theme, rect, f"Flow at row {self._watch.row:,}", now)
+        room, foot = self._with_foot(room)
+        low, high = min(known, default=0.0), max(known, default=0.0)
+        lines = charts.curves(room, self._nows(), [(flows, look.ACCENT)], min(low, 0.0), max(high, 0.1))
+        return strokes + foot + lines
+
+    def _filling(self, rect):
+        samples, last = self._watch.samples, self._watch.samples[-1]
+        strokes, room = charts.card(self._toy.theme, rect, "Grains above", f"{last.above:,}")
+        below = (room.x, room.y, room.width, self._toy.theme.px(charts.HEAD))
+        strokes.append((paint.words, below, "below", look.SMALL, look.RING, 0))
+        strokes.append((paint.words, below, f"{last.below:,}", look.SMALL, look.RING, 1))
+        room, foot = self._with_foot(pygame.Rect(room.x, below[1] + below[3], room.width, room.height - below[3]))
+        most = max(max(each.above, each.below) for each in samples)
+        series = [([e.above for e in samples], look.ACCENT), ([e.below for e in samples], look.RING)]
+        return strokes + foot + charts.curves(room, self._nows(), series, 0, most)
+
+    def _pile(self, rect):
+        last = self._watch.samples[-1]
+        slope = "" if math.isnan(last.slope) else f", {last.slope:.0f}°"
+        strokes, room = charts.card(self._toy.theme, rect, "Pile below", f"{last.height:,} high{slope}")
+        deep = self._toy.session.world.shape[0] - self._watch.row
+        return [*strokes, charts.profile(room, self._watch.heights, min(deep, 2 * last.height), look.ACCENT)]
+
+    def _frames(self, rect):
+        samples = self._watch.samples
+        strokes, room = charts.card(self._toy.theme, rect, "Slowest frame", f"{samples[-1].frame_ms:.1f} ms")
+        budget = BUDGET_NS / 1e6
+        strokes.append((paint.fill, (room.x, room.y, room.width, self._toy.theme.px(1)), look.GROOVE))
+        numbers = [each.frame_ms for each in samples]
+        return strokes + charts.curves(room, [each.seconds for each in samples], [(numbers, look.DIM)], 0, budget)
+
+    def _audit(self, rect):
+        session = self._toy.session
+        account, balanced = session.account, session.account.balanced(session.world)
+        strokes, room = charts.card(self._toy.theme, rect, "Audit", "every grain is there" if balanced else "")
+        if not balanced:
+            strokes.append((paint.words, tuple(room), f"but {session.world.grains:,}", look.SMALL, look.ACCENT, 1))
+        line = min(self._toy.theme.line_height(look.SMALL), room.height // len(account.lines))
+        for number, (sign, word, grains) in enumerate(account.lines):
+            row = (room.x, room.y + number * line, room.width, line)
+            colour = look.TEXT if sign == "=" else look.DIM
+            strokes.append((paint.words, row, f"{sign} {word}".strip(), look.SMALL, colour, 0))
+            strokes.append((paint.words, row, f"{grains:,}", look.SMALL, colour, 1))
+        return strokes
+
+    def _nows(self):
+        return [each.now for each in self._watch.samples]
+
+    def _with_foot(self, room):
+        """Return (the room above a line with the iterations at both ends, the line's strokes)."""
+        nows, high = self._nows(), self._toy.theme.line_height(look.SMALL)
+        if room.height < 3 * high:
+            return room, []
+        foot = (room.x, room.bottom - high, room.width, high)
+        ends = ((f"{nows[0]:,}", 0), (f"iteration {nows[-1]:,}", 1))
+        strokes = [(paint.words, foot, text, look.SMALL, look.FAINT, align) for text, align in ends]
+        return pygame.Rect(room.x, room.y, room.width, room.height - high - 2), strokes
