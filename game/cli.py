@@ -7,6 +7,7 @@ from pathlib import Path
 
 from game.world import knob
 
+SCENE = "hourglass"
 STUDY_NEEDS = ("matplotlib", "rich")  # packages of the `study` extra
 
 
@@ -54,8 +55,18 @@ def _size(text):
     return tuple(map(_setting(knob.SIDE), parts))
 
 
+def _duration(text):
+    """Read a time such as '3m' in seconds."""
+    from game.world.duration import parse_duration
+
+    try:
+        return parse_duration(text)
+    except ValueError as error:
+        raise argparse.ArgumentTypeError(str(error)) from None
+
+
 def _scene_options(parser):
-    parser.add_argument("--scene", default="hourglass", metavar="NAME|FILE", help="a shipped scene or a scene file")
+    parser.add_argument("--scene", metavar="NAME|FILE", help=f"a shipped scene or a scene file (default: {SCENE})")
     parser.add_argument(
         "--p", type=_setting(knob.P), help="probability that grains topple, 0 … 1 (default: the scene's)"
     )
@@ -72,6 +83,12 @@ def _play_parser():
     )
     _scene_options(parser)
     parser.add_argument("--replay", metavar="FILE", help="play a recorded session")
+    parser.add_argument(
+        "--timer",
+        type=_duration,
+        metavar="TIME",
+        help="run out after 3m, 90s, 1:30 or 1h; without --scene in a glass made for it",
+    )
     parser.add_argument("--cell", type=_setting(knob.CELL), metavar="PX", help=f"{knob.CELL.meaning}, in pixels")
     parser.add_argument("--fullscreen", action="store_true", help="start in full screen")
     parser.add_argument("--ui-scale", type=_setting(knob.UI_SCALE), help=knob.UI_SCALE.meaning)
@@ -115,7 +132,7 @@ def _load(options):
     from game.world.scene import SceneError, load_scene
 
     try:
-        return load_scene(options.scene, options.size)
+        return load_scene(options.scene or SCENE, options.size)
     except SceneError as error:
         print(f"sandglass: {error}", file=sys.stderr)
         raise SystemExit(2) from None
@@ -196,14 +213,30 @@ def _settings(flags):
     return settings
 
 
+def _scene_to_play(options, recording):
+    """Return the scene the options ask for: the recording's, or for a timer without one a glass that suits its time."""
+    if recording:
+        return recording.scene
+    if options.timer and not options.scene:
+        from game.world.maker import Glass
+
+        try:
+            return Glass.for_time(options.timer, options.size).scene()
+        except ValueError as error:
+            raise SystemExit(_refuse(error)) from None
+    return _load(options)
+
+
 def _play(options):
     recording = None if options.replay is None else _load_replay(options)
-    scene = recording.scene if recording else _load(options)
+    scene = _scene_to_play(options, recording)
     from game.play import loop
 
     settings = _settings({"ui_scale": options.ui_scale})
     try:
-        return loop.play(scene, settings, options.seed, options.p, options.cell, options.fullscreen, recording)
+        return loop.play(
+            scene, settings, options.seed, options.p, options.cell, options.fullscreen, recording, options.timer
+        )
     except loop.NoDisplayError as error:
         print(f"sandglass: no display to open a window on ({error}); running headless instead")
         if recording:

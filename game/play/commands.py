@@ -1,8 +1,10 @@
 """The commands: what a player can tell the toy by a key or a button of the panel."""
 
+from game.play.timer import RUNNING
 from game.play.tools import SIZES
 from game.world import knob
 from game.world.action import Clear, Load
+from game.world.duration import spell_left
 
 FASTER = 2**0.5  # what one press of + does to the speed
 
@@ -33,6 +35,24 @@ class Commands:
         """Slow time down by a third."""
         self._change_speed(1 / FASTER)
 
+    def settle(self):
+        """Run until nothing can move any more."""
+        self.toy.ahead.settle()
+
+    def await_flow(self):
+        """Run until a grain next passes the neck."""
+        self.toy.ahead.await_flow()
+
+    def toggle_timer(self):
+        """Start the timer, or stop it."""
+        timer = self.toy.timer
+        if timer.state == RUNNING:
+            self.toy.notices.say(f"The timer was stopped with {spell_left(timer.left_s)} left.")
+            timer.stop()
+        else:
+            timer.start()
+            self.toy.panel.timer.open = True
+
     def undo(self):
         """Take back the last act; where a session has none left, go back to the one it was opened over."""
         toy = self.toy
@@ -50,6 +70,7 @@ class Commands:
     def flip(self):
         """Turn the glass over: at once in the lattice, and in half a second on the screen."""
         self.toy.turn_over()
+        self.toy.timer.turned()
 
     def restart(self):
         """Start the scene again."""

@@ -17,8 +17,11 @@ FRAMES_PER_SECOND = 60
 MARGIN = 16  # pixels around the sand in a new window
 
 
-def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording=None):
-    """Play `scene`, or a Recording, in a window until the player quits; raise NoDisplayError if none can be opened."""
+def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording=None, timer_s=None):
+    """Play `scene`, or a Recording, in a window until the player quits; raise NoDisplayError if none can be opened.
+
+    timer_s: seconds that the timer is started with, if any.
+    """
     pygame.font.init()
     theme = Theme(settings["ui_scale"])
     remembered = settings["window_width"], settings["window_height"]
@@ -32,6 +35,10 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     toy.recovery.start()
     if recording:
         toy.files.play(recording, recording.scene.title)
+    if timer_s is not None:
+        toy.timer.set(timer_s)
+        toy.timer.start()
+        toy.panel.timer.open = True
     run(toy)
     pygame.quit()
     toy.close()

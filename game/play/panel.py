@@ -6,6 +6,7 @@ import pygame
 
 from game.play import appearance, outlook, toolbox
 from game.play.files import demos
+from game.play.timer_fold import TimerFold
 from game.world import knob
 from game.world.action import SetRule
 from game.world.rule import SCHEDULES, Rule
@@ -14,6 +15,7 @@ from game.world.scene import scene_names
 PAPER_P = (0.25, 0.5, 0.75, 1.0)  # the four values of the paper
 WIDTH = 300  # pixels at scale 1
 NARROWEST = 200
+FAST = "Fast"  # the button that is held
 
 BLOCKS = {  # what each probability decides: corners a b c d before and after
     "topple_left": (".o.#", "..o#"),
@@ -37,6 +39,7 @@ class Panel:
         self.ui = ui
         self.all_seven = False  # whether the fold with all probabilities is open
         self.past_open = False  # whether the fold of the past is open
+        self.timer = TimerFold()
         self._turning = False  # a slider is being dragged, and what it sets is one act
         self._rule = None  # the rule that _p and _bias stand for
         self._p = self._bias = 0.0
@@ -122,11 +125,19 @@ class Panel:
             toy.commands.pause()
         if ui.button("Step", key=".", tip="One iteration"):
             toy.commands.step()
+        ui.row(3)
+        ui.button(FAST, key="Right", tip="Hold it: time goes as fast as the frames can hold")
+        toy.ahead.hold(ui.focus.held == FAST)
+        if ui.button("Settle", key="End", tip="Runs until nothing can move any more"):
+            toy.commands.settle()
+        if ui.button("Flow", key="Shift+Right", tip="Runs until a grain next passes the neck"):
+            toy.commands.await_flow()
         ui.row(2)
         if ui.button("Flip", key="F", tip="Turns the glass over"):
             toy.commands.flip()
         if ui.button("Restart", key="R", tip="Starts the scene again"):
             toy.commands.restart()
+        self.timer.lay_out(ui, toy)
 
     def _past(self, toy):
         """What can be done to time that has passed; undo, save and open are always in sight."""

@@ -51,7 +51,7 @@ class Screen:
         toy, timeline = self._toy, self._toy.session.timeline
         if toy.stepping.on_the_way:
             return f"Computing the sand: {100 * timeline.moment.now // timeline.goal} %"
-        return toy.recorder.said or ("Time runs back" if toy.rewind.held else "")
+        return toy.recorder.said or ("Time runs back" if toy.rewind.held else toy.ahead.words or toy.timer.words)
 
     def _overlay(self):
         """Return what draws over the sand now, or None."""

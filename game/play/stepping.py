@@ -53,7 +53,9 @@ class Stepping:
             if not stage.turn.over(now_s):
                 return
             stage.end_turn()
-        toy.session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS))
+        budget_ns = max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS)
+        due = toy.ahead.due()
+        toy.session.frame(elapsed_ns, budget_ns, toy.timer.due() if due is None else due)
 
     def _go_to_another_moment(self, elapsed_ns):
         """Follow the time bar's handle or the rewind."""

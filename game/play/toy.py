@@ -4,12 +4,14 @@ import time
 from functools import cache
 
 from game.play import hud, panel, timebar
+from game.play.ahead import Ahead
 from game.play.background import Background
 from game.play.camera import Camera
 from game.play.commands import Commands
 from game.play.files import Files
 from game.play.forecasting import Forecasting
 from game.play.gallery import Gallery
+from game.play.glow import Glow
 from game.play.hearing import Hearing
 from game.play.help import Help
 from game.play.keeper import Keeper
@@ -17,6 +19,7 @@ from game.play.layout import Layout
 from game.play.mixer import Mixer
 from game.play.notice import Notices
 from game.play.photo import PhotoCard
+from game.play.planner import Planner
 from game.play.plots import Plots
 from game.play.question import Question
 from game.play.recorder import Recorder
@@ -25,6 +28,7 @@ from game.play.rewind import Rewind
 from game.play.screen import Screen
 from game.play.stage import Stage
 from game.play.stepping import Stepping
+from game.play.timer import Timer
 from game.play.tools import Brush
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
@@ -57,6 +61,7 @@ class Toy:
         self.running = True
         self.panel_shown = True
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
+        self._now_s = 0.0  # when this frame is
         self._size = None  # of the window and the lattice, as laid out, and what they look like
         self._gather_helpers()
         if p is not None:
@@ -85,6 +90,11 @@ class Toy:
         self.plots = Plots(self)
         self.overlays.insert(0, self.forecasting)
         self.watchers += [self.forecasting, self.plots]
+        self.planner, self.glow, self.timer = Planner(self), Glow(self), Timer(self)
+        self.ahead = Ahead(self)
+        self.hearing.first.append(self.ahead)
+        self.overlays.insert(0, self.glow)
+        self.watchers += [self.ahead, self.timer, self.glow]
 
     # --- what the parts ask of it ---
 
@@ -124,7 +134,7 @@ class Toy:
             return
         self.brush.let_go()
         if not self.settings["reduced_motion"] and not self.page:
-            self.stage.start_turn(time.perf_counter())
+            self.stage.start_turn(self._now_s)
         self.camera.turn_over()
         self.do(Flip())
 
@@ -179,6 +189,7 @@ class Toy:
     def frame(self, events, elapsed_ns, now_s, mouse_pos=None):
         """Hear events, run the iterations due after `elapsed_ns`, draw what changed; return whether anything did."""
         start = time.perf_counter_ns()
+        self._now_s = now_s
         self._fit()
         self.background.hear()
         for event in self._lay_out_panel(self._left_by_overlays(events, now_s, mouse_pos), now_s, mouse_pos):

@@ -30,6 +30,7 @@ class Window:
 
         Raises NoDisplayError if there is no display.
         """
+        self._title = TITLE
         try:
             _start_display()
             self._windowed_size = self._fitting(size)
@@ -57,6 +58,12 @@ class Window:
         self.fullscreen = not self.fullscreen
         self._open()
 
+    def set_title(self, title):
+        """Show a title, also while the window is minimised."""
+        if title != self._title:
+            self._title = title
+            pygame.display.set_caption(title)
+
     def paint(self, draw):
         """Call `draw` with the window's pixels: an (h, w) uint32 array over the surface, valid only during the call."""
         draw(self._pixels())
@@ -77,7 +84,7 @@ class Window:
     def _open(self):
         flags = pygame.FULLSCREEN if self.fullscreen else pygame.RESIZABLE
         pygame.display.set_mode((0, 0) if self.fullscreen else self._windowed_size, flags, 32)
-        pygame.display.set_caption(TITLE)
+        pygame.display.set_caption(self._title)
 
     def _fitting(self, size):
         desktop = pygame.display.get_desktop_sizes()[0]

@@ -88,14 +88,16 @@ class Session:
         now = self.now
         return self._turn(self.timeline.redo(back, budget_ns), Entry(now, REDO))
 
-    def frame(self, elapsed_ns, budget_ns=None):
-        """Run the iterations that fell due in `elapsed_ns` and return their number.
+    def frame(self, elapsed_ns, budget_ns=None, due=None):
+        """Run the iterations that fell due in `elapsed_ns`, or the `due` ones, paused or not; return their number.
 
         With a budget, what does not fit in it is left out for good, so that slow frames never pile up; `due` then
         exceeds `done`. Without one the result is a function of the elapsed times alone. While a seek is unfinished the
         frame goes on with it instead.
         """
-        self.due = 0 if self.paused else self.clock.due(elapsed_ns)
+        if due is None:
+            due = 0 if self.paused else self.clock.due(elapsed_ns)
+        self.due = due
         if self.timeline.goal is not None:
             before, self.due = self.timeline.moment.now, 0
             self.timeline.catch_up(budget_ns)

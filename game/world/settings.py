@@ -25,6 +25,7 @@ ROWS = (
     Switch("smooth_streams", True, "draw falling sand as the mean of what happens within a frame"),
     Switch("reduced_motion", False, "leave out turns, glows and fades"),
     Switch("sound", False, "the hiss of flowing sand"),
+    Switch("chime", True, "a bell when the timer's time is over"),
     Knob("volume", 0.5, 0.0, 1.0, "", "how loud it is"),
     Names("hints_seen", "hints that were shown and are not shown again"),
     Knob("window_width", 0, 0, 16384, "pixels", "width of the window; 0 is as wide as the scene", whole=True),

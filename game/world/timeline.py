@@ -5,6 +5,7 @@ from collections import deque
 
 from game.world import knob
 from game.world.action import Clear, Draw, Paint, SetFixtures, SetRule
+from game.world.course import Course
 from game.world.history import Entry, History
 from game.world.moment import Moment
 from game.world.snapshot import MEGABYTE, Shelf, Snapshot, nearest
@@ -95,6 +96,15 @@ class Timeline:
         if self._run_to(self.goal, budget_ns):
             self.goal = None
         return self.goal is None
+
+    def forget_beyond(self):
+        """Let this moment be the latest known, unless the line has acts still to come."""
+        self.reached = max(self.now, self.history.line.at)
+
+    def course(self):
+        """Return the Course from here on, to be computed apart from the session."""
+        self.catch_up()
+        return Course(self.moment, self._ahead).copy()
 
     def undo(self, back=False, budget_ns=None):
         """Take back the last act and return whether there was one; `seek` tells what `budget_ns` does.

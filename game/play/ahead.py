@@ -1,0 +1,158 @@
+"""Ahead: time that runs as fast as frames can hold, while a key is held, until nothing moves, or until sand flows."""
+
+import time
+
+import pygame
+
+from game.world.ending import at_rest, first_moment
+from game.world.neck import find_neck
+
+MANY = 2**50  # iterations: more than any frame holds
+SHORTEST_S = 0.3  # what takes less needs no word while it goes on
+
+HELD, SETTLING, AWAITING = "held", "settling", "awaiting"
+
+
+class Ahead:
+    """Hears the key, and stops at the very iteration that was looked for, however many a frame had run beyond it."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self._mode = None
+        self._by_button = False  # it is the panel's button that is held
+        self._reached = None  # a function of (world, rule) that says whether what is looked for is there
+        self._before = None  # the course at the start of this frame
+        self._narrowing = False  # the iteration is being looked for among those of the last frame
+        self._start = 0  # the iteration at which it began
+        self._since_s = 0.0
+
+    @property
+    def held(self):
+        """Whether the key is down."""
+        return self._mode == HELD
+
+    @property
+    def words(self):
+        """What the HUD is to say of it, or ""."""
+        if self._mode is None or time.monotonic() - self._since_s < SHORTEST_S:
+            return ""
+        gone = f"{self._toy.session.now - self._start:,} iterations"
+        return {
+            HELD: "Fast forward",
+            SETTLING: f"Settling: {gone}    Esc stops it",
+            AWAITING: f"Until the sand flows: {gone}    Esc stops it",
+        }[self._mode]
+
+    def hear(self, event):
+        """Take in an event and return whether it was meant for this."""
+        if event.type == pygame.WINDOWFOCUSLOST and self.held:
+            self.stop()
+        if event.type not in (pygame.KEYDOWN, pygame.KEYUP):
+            return False
+        if event.key == pygame.K_RIGHT and not event.mod & ~pygame.KMOD_NUM & ~pygame.KMOD_CAPS:
+            return self._hear_key(event)
+        if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and self._mode not in (None, HELD):
+            self._toy.notices.say(f"Stopped after {self._toy.session.now - self._start:,} iterations.")
+            self.stop()
+            return True
+        return False
+
+    def hold(self, down):
+        """Hear whether the panel's button is down."""
+        if down and self._mode is None:
+            self._begin(HELD, None)
+        elif not down and self._by_button and self.held:
+            self.stop()
+        self._by_button = down
+
+    def settle(self):
+        """Run until nothing can move any more."""
+        self._begin(SETTLING, at_rest)
+
+    def await_flow(self):
+        """Run until a grain next passes the neck."""
+        if not self._toy.is_there():
+            return
+        world = self._toy.session.world
+        neck = find_neck(world)
+        if neck is None:
+            self._toy.notices.say("There is no one neck here for the sand to pass.")
+            return
+        now = neck.grains_above(world)
+        self._begin(AWAITING, lambda world, rule: neck.grains_above(world) != now)
+
+    def stop(self):
+        """Let time go at its own pace again."""
+        self._mode = self._before = None
+        self._narrowing = False
+
+    def due(self):
+        """Return how many iterations this frame is to try, or None where time goes at its own pace."""
+        timeline = self._toy.session.timeline
+        if self._mode is None or timeline.goal is not None:
+            return None
+        if self._narrowing:
+            return 0
+        if self._mode == HELD:
+            return None if self._toy.session.world.activity.settled else MANY
+        self._before = timeline.course()
+        return MANY
+
+    def look(self, now_s):
+        """See what a frame has come to."""
+        session = self._toy.session
+        if self._mode is None:
+            return
+        session.due = session.done  # as many as the frame holds is not too many
+        if self._before is None or self._narrowing:
+            return
+        if self._reached(session.world, session.rule):
+            self._narrow()
+        elif self._mode == AWAITING and at_rest(session.world, session.rule):
+            self._toy.notices.say("No sand will pass the neck any more.")
+            self.stop()
+
+    def _hear_key(self, event):
+        if event.type == pygame.KEYUP:
+            was = self.held
+            if was:
+                self.stop()
+            return was
+        if self._toy.panel.ui.wants_keys:
+            return False
+        if self._mode is None:
+            self._begin(HELD, None)
+        return self.held
+
+    def _begin(self, mode, reached):
+        self.stop()
+        if self._toy.is_there():
+            self._mode, self._reached = mode, reached
+            self._start, self._since_s = self._toy.session.now, time.monotonic()
+
+    def _narrow(self):
+        """Find the first iteration of this frame at which it was so, beside the frames that follow."""
+        self._narrowing = True
+        course, end, reached, timeline = self._before, self._toy.session.now, self._reached, self._toy.session.timeline
+        line = timeline.history.line
+
+        def work():
+            return first_moment(course, end, lambda world: reached(world, course.moment.rule))
+
+        def take(found):
+            if self._narrowing and self._toy.session.timeline is timeline and timeline.history.line is line:
+                self._arrive(found)
+
+        self._toy.background.do(work, take)
+
+    def _arrive(self, at):
+        """Go back from where the frame had come to, and say what it took."""
+        session, took_s = self._toy.session, time.monotonic() - self._since_s
+        session.seek(at, self._toy.SEEK_NS)
+        session.timeline.forget_beyond()
+        gone = f"{at - self._start:,} iterations, computed in {took_s:.2f} s."
+        said = {SETTLING: "Nothing can move any more after", AWAITING: "A grain passes the neck after"}[self._mode]
+        self._toy.notices.say("Nothing can move here." if at == self._start else f"{said} {gone}")
+        if self._mode == AWAITING:
+            session.paused = True
+        self.stop()

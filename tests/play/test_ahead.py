@@ -1,0 +1,145 @@
+"""Time that runs ahead: it computes what would have come anyway, and stops at the very iteration that was wanted."""
+
+import pygame
+import pytest
+
+from game.world.action import Flip, SetRule
+from game.world.ending import at_rest, find_ending
+from game.world.maker import Glass
+from game.world.neck import find_neck
+from game.world.rule import Rule
+from game.world.session import Session
+from tests.play.player import Player
+
+SCENE = Glass.of_height(60, wall=1).scene()
+
+
+@pytest.fixture
+def watcher():
+    """Return a player with a small glass, whose time is held."""
+    player = Player("hourglass", size=(700, 560))
+    player.toy.open_scene(SCENE, 4)
+    player.session.paused = True
+    player.wait(0)
+    yield player
+    pygame.display.quit()
+
+
+def go_on(player, frames=400):
+    """Play frames until nothing runs ahead any more."""
+    for _ in range(frames):
+        player.settle()
+        if player.toy.ahead.due() is None:
+            return
+    pytest.fail("it runs for ever")
+
+
+def same_as_at_own_pace(session):
+    twin = Session(SCENE, 4)
+    twin.timeline.run(session.world.iteration)
+    return twin.world.digest() == session.world.digest()
+
+
+def test_a_held_key_runs_as_many_iterations_as_frames_hold(watcher):
+    watcher.press(pygame.K_RIGHT)
+    watcher.wait(5)
+    assert watcher.world.iteration > 100 and same_as_at_own_pace(watcher.session)
+    watcher.release(pygame.K_RIGHT)
+    now = watcher.session.now
+    watcher.wait(5)
+    assert watcher.session.now == now, "let go, the pause holds again"
+
+
+def test_the_key_belongs_to_a_control_that_has_the_keyboard(watcher):
+    watcher.click(watcher.control("p"))
+    watcher.press(pygame.K_RIGHT)
+    watcher.wait(3)
+    assert watcher.world.iteration == 0 and not watcher.toy.ahead.held
+
+
+def test_the_button_is_held_as_well(watcher):
+    place = watcher.control("Fast")
+    watcher.button(pygame.MOUSEBUTTONDOWN, place)
+    watcher.wait(5)
+    assert watcher.world.iteration > 100
+    watcher.button(pygame.MOUSEBUTTONUP, place)
+    now = watcher.session.now
+    watcher.wait(3)
+    assert watcher.session.now == now
+
+
+def test_settle_stops_at_the_iteration_from_which_nothing_moves(watcher):
+    watcher.key(pygame.K_END)
+    go_on(watcher)
+    session = watcher.session
+    assert at_rest(session.world, session.rule) and same_as_at_own_pace(session)
+    assert f"after {session.world.iteration:,} iterations" in watcher.toy.notices.text
+    still = session.world.sand
+    session.seek(session.now - 1)
+    assert not at_rest(session.world, session.rule) and (session.world.sand != still).any()
+
+
+def test_settled_sand_needs_no_iteration(watcher):
+    for _ in range(2):
+        watcher.key(pygame.K_END)
+        go_on(watcher)
+    assert watcher.toy.notices.text == "Nothing can move here."
+
+
+def test_the_next_flow_is_the_iteration_at_which_a_grain_passes(watcher):
+    session, neck = watcher.session, find_neck(watcher.world)
+    for _ in range(3):
+        before = neck.grains_above(session.world)
+        watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+        go_on(watcher)
+        assert neck.grains_above(session.world) < before and same_as_at_own_pace(session)
+        twin = Session(SCENE, 4)
+        twin.timeline.run(session.world.iteration - 1)
+        assert neck.grains_above(twin.world) == before
+        assert session.reached == session.now
+
+
+def test_it_is_said_that_nothing_will_pass(watcher):
+    watcher.key(pygame.K_END)
+    go_on(watcher)
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    go_on(watcher)
+    assert watcher.toy.notices.text == "No sand will pass the neck any more."
+    watcher.toy.load("blank")
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    assert "no one neck" in watcher.toy.notices.text
+
+
+def test_escape_stops_it(watcher):
+    watcher.toy.do(SetRule(Rule.with_p(1e-6, "balanced")))
+    watcher.key(pygame.K_END)
+    watcher.wait(3)
+    assert watcher.world.iteration > 0
+    watcher.key(pygame.K_ESCAPE)
+    now = watcher.session.now
+    watcher.wait(3)
+    assert watcher.session.now == now and watcher.toy.running and "Stopped after" in watcher.toy.notices.text
+
+
+def test_undo_and_replay_agree_with_time_that_ran_ahead(watcher):
+    session = watcher.session
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    go_on(watcher)
+    flow = session.now
+    watcher.toy.do(Flip())
+    watcher.key(pygame.K_END)
+    go_on(watcher)
+    end, digest = session.now, session.world.digest()
+    session.seek(flow - 1)
+    session.seek(end)
+    assert session.world.digest() == digest
+    session.undo()
+    assert session.now == end and same_as_at_own_pace(session)
+
+
+def test_an_ending_foreseen_is_where_the_flow_ends(watcher):
+    ending = find_ending(watcher.session.timeline.course())
+    watcher.session.seek(ending.at - 1)
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    go_on(watcher)
+    assert watcher.session.now == ending.at
