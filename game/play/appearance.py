@@ -1,4 +1,6 @@
-"""The controls of how the window looks: theme, smooth streams, reduced motion. What is chosen is a setting."""
+"""The controls of how the window looks: theme, size, smooth streams, reduced motion. What is chosen is a setting."""
+
+SIZES = 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0
 
 
 def show(ui, settings):
@@ -7,6 +9,10 @@ def show(ui, settings):
     names = tuple(name.replace("-", " ").capitalize() for name in themes)
     tip = "Colours of the window and the sand; the sand moves the same"
     settings["theme"] = themes[ui.choice("Theme", names, themes.index(settings["theme"]), tip=tip)]
+    sizes = sorted({*SIZES, settings["ui_scale"]})
+    tip = "Size of this panel and of all text; the sand gets what is left of the window"
+    words = tuple(f"{100 * size:.0f} %" for size in sizes)
+    settings["ui_scale"] = sizes[ui.choice("Size", words, sizes.index(settings["ui_scale"]), tip=tip)]
     tip = "Shows falling sand as the mean of all that happens within a frame; the sand moves the same"
     settings["smooth_streams"] = ui.toggle("Smooth streams", settings["smooth_streams"], tip=tip)
     tip = "Turns the glass over at once, and leaves out glows and fades"

@@ -178,6 +178,10 @@ class Commands:
         """Save what the plots have measured."""
         self.toy.plots.save()
 
+    def toggle_sound(self):
+        """Let the sand be heard, or not."""
+        self.toy.hiss.toggle()
+
     def toggle_fullscreen(self):
         """Fill the screen, or go back."""
         self.toy.window.toggle_fullscreen()

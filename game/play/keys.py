@@ -86,6 +86,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
     "Window": (
         Key("Tab, arrows", (), "", "work the panel"),
         Key("P", (pygame.K_p,), "toggle_panel", "hide or show the panel"),
+        Key("M", (pygame.K_m,), "toggle_sound", "sound of the sand"),
         Key("F11", (pygame.K_F11,), "toggle_fullscreen", "full screen"),
         Key("F1 or ?", (pygame.K_F1, pygame.K_QUESTION), "toggle_help", "this page"),
         Key("Esc", (pygame.K_ESCAPE,), "escape", "close, leave, quit"),

@@ -183,6 +183,7 @@ class Panel:
     def _window(self, toy):
         ui = self.ui
         ui.heading("Window")
+        toy.hiss.show(ui)
         ui.row(2)
         if ui.button("Full screen", key="F11", tip="Fills the screen, or goes back to the window"):
             toy.commands.toggle_fullscreen()

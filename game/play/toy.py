@@ -14,6 +14,7 @@ from game.play.gallery import Gallery
 from game.play.glow import Glow
 from game.play.hearing import Hearing
 from game.play.help import Help
+from game.play.hiss import Hiss
 from game.play.keeper import Keeper
 from game.play.layout import Layout
 from game.play.mixer import Mixer
@@ -86,6 +87,8 @@ class Toy:
         self._gather_instruments()
 
     def _gather_instruments(self):
+        self.hiss = Hiss(self)
+        self.watchers.append(self.hiss)
         self.forecasting = Forecasting(self)
         self.plots = Plots(self)
         self.overlays.insert(0, self.forecasting)
@@ -230,11 +233,12 @@ class Toy:
             self.refresh()
 
     def _fit(self):
-        """Lay everything out, after the window or the lattice changed its size or its colours."""
+        """Lay everything out, after the window or the lattice changed its size or what it looks like."""
         shape, size, walls = self.session.world.shape, self.window.size, self.session.scene.made_of
-        if (size, shape, walls, self.colours) == self._size:
+        looks = size, shape, walls, self.colours, self.settings["ui_scale"]
+        if looks == self._size:
             return
-        self._size = size, shape, walls, self.colours
+        self._size = looks
         self._renew_theme()
         self.layout = Layout(self.theme, size, self.panel_shown, shape if self.plots.shown else None)
         self.time_bar.area = self.layout.bar
