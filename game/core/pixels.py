@@ -178,14 +178,14 @@ def shades_of(texture, words):
 
 
 @kernel
-def draw_turned(picture, ground, cosine, sine, pixels, top, left, height, width):
+def draw_turned(picture, ground, cosine, sine, zoom, pixels, top, left, height, width):
     """Draw `picture`, turned about its middle, into the middle of a frame of `pixels`; `ground` elsewhere, in place.
 
-    It is shrunk where that is needed to keep all of it inside the frame.
+    zoom: pixels of the picture to one of the frame; more where that is needed to keep all of it inside the frame.
     """
     tall, wide = picture.shape
     zoom = max(
-        1.0,
+        zoom,
         (abs(wide * cosine) + abs(tall * sine)) / width,
         (abs(tall * cosine) + abs(wide * sine)) / height,
     )

@@ -60,10 +60,13 @@ class Camera:
         area = stage.area
         self._show(before.cell, place, area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
 
-    def turn_over(self):
-        """Follow the sand in sight as the lattice is turned over."""
+    def turn_over(self, quarters=2):
+        """Follow the sand in sight as the lattice is turned over; a quarter turn shows all of it."""
         view, area = self._stage.view, self._stage.area
         if view.frame is None:
+            return
+        if quarters != 2:
+            self.fit()
             return
         x, y = area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5
         column, row = view.place(x, y)

@@ -1,5 +1,6 @@
 """The commands: what a player can tell the toy by a key or a button of the panel."""
 
+from game.play import lean
 from game.play.timer import RUNNING
 from game.play.tools import SIZES
 from game.world import knob
@@ -72,6 +73,18 @@ class Commands:
         self.toy.turn_over()
         self.toy.timer.turned()
 
+    def turn(self, quarters):
+        """Turn the table by quarters, clockwise."""
+        self.toy.turn_over(int(quarters))
+
+    def tilt(self, way):
+        """Lean the table a step to the left (-1) or to the right (1)."""
+        act = lean.tilted(self.toy.session.rule, int(way))
+        if act is None:
+            self.toy.notices.say("At p = 0 no grain topples, to whichever side the table leans.")
+        else:
+            self.toy.do(act)
+
     def restart(self):
         """Start the scene again."""
         self.toy.do(Load(self.toy.session.scene, self.toy.session.seed))
@@ -99,6 +112,10 @@ class Commands:
     def size(self, number):
         """Give the brush the size that belongs to a number key."""
         self.toy.brush.diameter = SIZES[int(number) - 1]
+
+    def toggle_cursor(self):
+        """Let the arrows move a cursor over the cells, or no longer."""
+        self.toy.cursor.toggle()
 
     def next_shape(self):
         """Give the brush its next shape."""

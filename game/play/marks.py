@@ -13,10 +13,11 @@ FEWEST, MOST = 12, 96  # corners of a circle
 
 
 class Mark(NamedTuple):
-    """A closed line through points in pixels."""
+    """A line through points in pixels, closed or not."""
 
     points: tuple
     colour: str = look.TEXT  # a role
+    closed: bool = True
 
     @property
     def rect(self):
@@ -27,8 +28,8 @@ class Mark(NamedTuple):
 
     def draw(self, surface, theme):
         """Draw it."""
-        pygame.draw.lines(surface, theme.rgb(look.SUNKEN), True, self.points, 1 + 2 * SEAM)
-        pygame.draw.lines(surface, theme.rgb(self.colour), True, self.points)
+        pygame.draw.lines(surface, theme.rgb(look.SUNKEN), self.closed, self.points, 1 + 2 * SEAM)
+        pygame.draw.lines(surface, theme.rgb(self.colour), self.closed, self.points)
 
 
 def mark(outline, view, colour=look.TEXT):

@@ -1,5 +1,6 @@
 """The screen: what is on the window, drawn anew only where it differs from what should be there."""
 
+from game.play import fittings, lean
 from game.play.ui import paint
 
 
@@ -65,8 +66,13 @@ class Screen:
                 each.draw(surface, toy.theme, area)
 
     def _marks(self):
-        """Return the marks of the tool where the pointer is over the sand."""
-        toy, pointer = self._toy, self._toy.hearing.pointer
-        if pointer is None or toy.camera.busy or toy.stage.turn or toy.photo.shown:
+        """Return the marks of the fixtures, of a table that leans, and of the tool over the sand."""
+        toy, view, pointer = self._toy, self._toy.stage.view, self._toy.hearing.pointer
+        if toy.stage.turn:
             return ()
-        return toy.brush.marks(toy.stage.view.place(*pointer), toy.stage.view)
+        marks = lean.marks(toy.session.rule, view) + fittings.marks(toy.session.world.fixtures, view)
+        if toy.camera.busy or toy.photo.shown:
+            return marks
+        if toy.cursor.on and not toy.brush.by_mouse:
+            return marks + toy.cursor.marks(view)
+        return marks + (toy.brush.marks(view.place(*pointer), view) if pointer else ())

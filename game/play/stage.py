@@ -23,8 +23,8 @@ class Stage:
         """Show a lattice of `shape` in `area` of the window, with a margin in pixels, its walls made of `walls`."""
         surface, self._theme = self.window.surface, theme
         self.area = pygame.Rect(area)
-        inner = self.area.inflate(-2 * margin, -2 * margin)
-        self.view = self.whole = View.fit(shape, *inner)
+        self._inner = self.area.inflate(-2 * margin, -2 * margin)
+        self.view = self.whole = View.fit(shape, *self._inner)
         self._map_rgb = lambda *colour: surface.map_rgb(colour)
         self._painter = picture.Painter(self.view, theme.colours, walls, self._map_rgb)
         self.refresh()
@@ -41,11 +41,13 @@ class Stage:
         self._painter.forget()
         self._marks, self._bare = (), True
 
-    def start_turn(self, now_s):
-        """Let the picture on the stage go round, from now on."""
+    def start_turn(self, now_s, quarters):
+        """Let the picture on the stage go round by so many quarters, from now on."""
         view, old = self.view, []
+        shape = view.shape if quarters == 2 else view.shape[::-1]
+        growth = View.fit(shape, *self._inner).cell / view.cell
         self.window.paint(lambda pixels: old.append(_cut(pixels, view).copy()))
-        self.turn = Turn(old[0], now_s)
+        self.turn = Turn(old[0], now_s, quarters, growth)
 
     def end_turn(self):
         """Show the world again as it is."""

@@ -5,7 +5,7 @@ import pygame
 
 from game.play.ui import paint
 from game.play.ui import theme as look
-from game.world.action import Flip, Load
+from game.world.action import Flip, Load, Turn
 
 HEIGHT = 22  # pixels at scale 1
 INSET = 16  # from the area's sides to the ends of the line
@@ -98,7 +98,7 @@ class Marks:
         if act is None:
             self._acts, self._strong = [], []
         for each in reversed(new):
-            if isinstance(each.action, Flip | Load):
+            if isinstance(each.action, Flip | Turn | Load):
                 self._strong.append(each.at)
             elif each.action is not None and not each.join:
                 self._acts.append(each.at)

@@ -13,6 +13,8 @@ TIPS = {  # what each tool does
     "spray": "Strews single grains, denser the longer it rests  (A)",
     "pick": "Takes what is under the pointer to paint with  (I)",
     "replace": "Paints over only what is like the cell it began on  (Y)",
+    "tap": "Places a tap, as wide as the brush, that never runs dry; a tap or a drain that is there is moved  (J)",
+    "drain": "Places a drain, as wide as the brush, that swallows the sand that comes to it  (Z)",
 }
 SHORT = {"rectangle": "Box"}  # so that four buttons fit a row
 
@@ -37,6 +39,9 @@ def show(ui, toy):
     if brush.tool in ("rectangle", "ellipse"):
         tip = "Draws only the edge, as thick as the brush, and leaves what is inside as it is  (Shift+U, Shift+O)"
         brush.edge_only = ui.toggle("Outline only", brush.edge_only, tip=tip)
+    if brush.tool == "tap":
+        tip = "Iterations from one grain to the next, in each cell of a new tap"
+        brush.every = round(ui.slider("Pours every", knob.EVERY, brush.every, log=True, tip=tip))
     tip = "Lets sand replace walls; without it they stay"
     brush.over_walls = ui.toggle("Paint sand over walls", brush.over_walls, tip=tip)
     if ui.button("Clear the sand", key="C", tip="Takes all sand away and leaves the walls"):

@@ -2,6 +2,7 @@
 
 import pygame
 
+from game.play.fittings import Carry, fresh
 from game.play.gestures import Press, Span, Trail
 from game.play.marks import box_outline, brush_outline, mark
 from game.world import knob
@@ -17,6 +18,8 @@ TOOLS = {  # the gesture that each makes
     "spray": Trail,
     "pick": Press,
     "replace": Trail,
+    "tap": Carry,
+    "drain": Carry,
 }
 ONE_CELL = ("rectangle", "ellipse", "fill", "pick")  # tools that aim at a cell, however large the brush
 SIZES = (1, 2, 3, 5, 8, 13, 21, 34, 55)  # diameters that the number keys give, in cells
@@ -32,6 +35,7 @@ class Brush:
         self.diameter = knob.BRUSH.default
         self.shape = "round"
         self.over_walls = False
+        self.every = knob.EVERY.default  # iterations from one grain of a new tap to the next
         self.edge_only = False  # rectangles and ellipses are drawn as their outline, as thick as the brush
         self._gesture = self._button = None
         self._erasing = self._acted = False  # of the gesture: it erases whatever the material; it has acted
@@ -48,6 +52,11 @@ class Brush:
     def acted(self):
         """Whether the gesture that is being made has changed anything yet."""
         return self.painting and self._acted
+
+    @property
+    def by_mouse(self):
+        """Whether it is the mouse that makes the gesture."""
+        return self._button is not None
 
     @property
     def ink(self):
@@ -97,7 +106,7 @@ class Brush:
 
     def press(self, place, world, erase=False, straight=False):
         """Begin the tool's gesture; `erase`: with nothing. A brush that goes `straight` draws a line."""
-        tool = "brush" if erase and self.tool == "pick" else self.tool
+        tool = "brush" if erase and self.tool in ("pick", "tap", "drain") else self.tool
         gesture = Span if straight and tool == "brush" else TOOLS[tool]
         self._erasing, self._acted = erase, False
         self._gesture = gesture(self, place, world)
@@ -129,6 +138,8 @@ class Brush:
         return tuple(mark(outline, view) for outline in outlines or [self._aim(place)])
 
     def _aim(self, place):
+        if TOOLS[self.tool] is Carry:
+            return box_outline(*fresh(self, place).box)
         if self.tool in ONE_CELL:
             return box_outline(*box(place, place))
         return brush_outline(self.shape, self.diameter, snap(place, self.diameter))

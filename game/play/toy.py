@@ -8,6 +8,7 @@ from game.play.ahead import Ahead
 from game.play.background import Background
 from game.play.camera import Camera
 from game.play.commands import Commands
+from game.play.cursor import Cursor
 from game.play.files import Files
 from game.play.forecasting import Forecasting
 from game.play.gallery import Gallery
@@ -33,7 +34,7 @@ from game.play.timer import Timer
 from game.play.tools import Brush
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
-from game.world.action import Flip, Load, SetRule
+from game.world.action import Flip, Load, SetRule, Turn
 from game.world.colours import THEMES
 from game.world.rule import Rule
 from game.world.scene import load_scene, scene_title
@@ -77,6 +78,7 @@ class Toy:
         self.files, self.gallery = Files(self), Gallery(self)
         self.help = Help(self)
         self.pages = [self.help, self.gallery]  # what takes the place of everything else in the window while it is open
+        self.cursor = Cursor(self)
         self.photo, self.question = PhotoCard(self), Question(self)
         self.recorder, self.recovery, self.keeper = Recorder(self), Recovery(self), Keeper(self)
         # the last one lies on top
@@ -131,15 +133,15 @@ class Toy:
         """Have everything laid out and drawn anew."""
         self._size = None
 
-    def turn_over(self):
-        """Flip the lattice and let its old picture turn, unless motion is to be reduced."""
+    def turn_over(self, quarters=2):
+        """Turn the lattice by quarters, clockwise, and let its old picture turn, unless motion is to be reduced."""
         if self.stage.turn:
             return
         self.brush.let_go()
         if not self.settings["reduced_motion"] and not self.page:
-            self.stage.start_turn(self._now_s)
-        self.camera.turn_over()
-        self.do(Flip())
+            self.stage.start_turn(self._now_s, quarters)
+        self.camera.turn_over(quarters)
+        self.do(Flip() if quarters == 2 else Turn(quarters))
 
     def load(self, name):
         """Put the shipped scene of that name in place of this one."""
@@ -195,7 +197,8 @@ class Toy:
         self._now_s = now_s
         self._fit()
         self.background.hear()
-        for event in self._lay_out_panel(self._left_by_overlays(events, now_s, mouse_pos), now_s, mouse_pos):
+        events = self.cursor.listen(self._left_by_overlays(events, now_s, mouse_pos))
+        for event in self._lay_out_panel(events, now_s, mouse_pos):
             self.hearing.hear(event)
         for act, join in self.brush.hold():
             self.do(act, join)

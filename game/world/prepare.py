@@ -63,7 +63,7 @@ def _draw_from_afar():
 
 def _turn():
     picture = np.zeros((2, 2), np.uint32)
-    draw_turned(picture, np.uint32(0), 1.0, 0.0, picture.copy(), 0, 0, 2, 2)
+    draw_turned(picture, np.uint32(0), 1.0, 0.0, 1.0, picture.copy(), 0, 0, 2, 2)
 
 
 def _figures():

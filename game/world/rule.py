@@ -1,6 +1,6 @@
 """The rule: seven probabilities, one for each event a block can have, and the schedule of partitions."""
 
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 
 from game.world import knob
 
@@ -44,6 +44,11 @@ class Rule:
         """
         p, bias = knob.P.check(p), knob.BIAS.check(bias)
         return cls(topple_left=p * min(1.0, 1.0 - bias), topple_right=p * min(1.0, 1.0 + bias), schedule=schedule)
+
+    def leaning(self, bias):
+        """Return the rule with the same p whose topples lean by `bias`."""
+        topples = Rule.with_p(self.p, bias=bias)
+        return replace(self, topple_left=topples.topple_left, topple_right=topples.topple_right)
 
     @property
     def probabilities(self):

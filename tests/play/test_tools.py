@@ -1,11 +1,15 @@
 """The tools in the player's hands: what each draws, how it is taken back, and that a finger does as the mouse does."""
 
+from dataclasses import replace
+
 import numpy as np
 import pygame
 import pytest
 
+from game import Rule
 from game.play.tools import SIZES, TOOLS
-from game.world.action import Paint
+from game.world.action import Paint, SetRule
+from game.world.fixture import Fixture
 from game.world.replay import parse, recording_of, to_bytes
 from game.world.session import Session
 
@@ -18,6 +22,8 @@ LETTERS = {
     "spray": pygame.K_a,
     "replace": pygame.K_y,
     "pick": pygame.K_i,
+    "tap": pygame.K_j,
+    "drain": pygame.K_z,
 }
 
 
@@ -234,3 +240,135 @@ def test_the_panel_chooses_tools_by_mouse_and_by_keyboard(still):
     ):
         still.key(code)
         assert still.toy.brush.tool == tool
+
+
+def test_taps_and_drains_are_put_moved_and_erased(still):
+    take(still, "tap", 5)
+    still.toy.brush.every = 3
+    still.click(still.pixel(60, 10))
+    take(still, "drain", 8)
+    still.click(still.pixel(60, 85))
+    tap, drain = Fixture("tap", 58, 10, 5, 1, 3), Fixture("drain", 57, 85, 8, 1, 1)
+    assert still.world.fixtures == (tap, drain)
+    still.drag(still.pixel(59, 10), still.pixel(40, 30), still.pixel(39, 20))
+    assert still.world.fixtures == (drain, replace(tap, x=38, y=20))
+    still.key(pygame.K_z, mod=pygame.KMOD_CTRL)
+    assert still.world.fixtures == (tap, drain)
+    still.click(still.pixel(60, 10))
+    assert len(acts(still)) == 2
+    still.drag(still.pixel(60, 8), still.pixel(60, 12), button=3)
+    assert still.world.fixtures == (drain,)
+
+
+def test_a_tap_pours_and_a_drain_swallows_in_the_window(player):
+    for tool, row in (("tap", 10), ("drain", 80)):
+        take(player, tool, 5)
+        player.click(player.pixel(60, row))
+    player.wait(60)
+    account = player.session.account
+    assert account.poured > account.swallowed > 0 and account.balanced(player.world)
+    drawn = pygame.surfarray.array2d(player.toy.window.surface)
+    player.key(pygame.K_SPACE, " ")
+    player.drag(player.pixel(50, 80), player.pixel(70, 80), button=3)
+    assert (pygame.surfarray.array2d(player.toy.window.surface) != drawn).any() and len(player.world.fixtures) == 1
+
+
+def test_quarter_turns_turn_the_table_and_back(glass):
+    glass.toy.settings["reduced_motion"] = True
+    glass.session.paused = True
+    before, (height, width) = glass.world.digest(), glass.world.shape
+    glass.key(pygame.K_f, "F", pygame.KMOD_LSHIFT)
+    assert glass.world.shape == (width, height) and glass.toy.stage.view.shape == (width, height)
+    glass.key(pygame.K_f, mod=pygame.KMOD_CTRL)
+    assert glass.world.digest() == before
+    for _ in range(4):
+        glass.key(pygame.K_f, "F", pygame.KMOD_LSHIFT)
+    assert glass.world.digest() == before and glass.session.account.balanced(glass.world)
+
+
+def test_a_turn_of_the_table_is_seen_to_go_round(glass):
+    glass.session.paused = True
+    glass.key(pygame.K_f, "F", pygame.KMOD_LSHIFT)
+    assert glass.toy.stage.turn and not glass.toy.stage.turn.over(glass.now_s)
+    glass.now_s += 1e6
+    glass.wait(2)
+    assert glass.toy.stage.turn is None
+
+
+def test_q_and_e_lean_the_rule_in_steps_that_meet_at_0(still):
+    for code, wanted in (
+        (pygame.K_e, 0.1),
+        (pygame.K_e, 0.2),
+        (pygame.K_q, 0.1),
+        (pygame.K_q, 0.0),
+        (pygame.K_q, -0.1),
+    ):
+        still.key(code)
+        assert still.session.rule.bias == pytest.approx(wanted)
+    still.session.do(SetRule(Rule.with_p(0.75, bias=0.04)))
+    still.key(pygame.K_q)
+    assert still.session.rule.bias == 0.0 and still.session.rule.p == 0.75
+    for _ in range(14):
+        still.key(pygame.K_e)
+    assert still.session.rule.bias == 1.0
+
+
+def test_a_table_that_leans_shows_a_frame_that_goes_with_the_lean(still):
+    upright = pygame.surfarray.array2d(still.toy.window.surface)
+    still.key(pygame.K_e)
+    area = still.toy.layout.sand
+    sand = slice(0, area.width), slice(0, area.height)
+    assert (pygame.surfarray.array2d(still.toy.window.surface)[sand] != upright[sand]).any()
+    still.key(pygame.K_q)
+    assert (pygame.surfarray.array2d(still.toy.window.surface)[sand] == upright[sand]).all()
+
+
+def test_keys_alone_draw_a_whole_picture(still):
+    def go(*ways, mod=0):
+        for way in ways:
+            still.key(getattr(pygame, f"K_{way}"), mod=mod)
+
+    far = pygame.KMOD_LSHIFT
+    still.key(pygame.K_k, "k")
+    go("LEFT", "LEFT", "UP", mod=far)  # from the middle (60, 45) to (40, 35)
+    still.key(pygame.K_w, "w")
+    still.key(pygame.K_1, "1")
+    still.key(pygame.K_n, "n")
+    still.press(pygame.K_RETURN)
+    go("RIGHT", "RIGHT", "RIGHT", mod=far)
+    go("RIGHT", "DOWN")
+    still.release(pygame.K_RETURN)
+    walls = still.world.walls
+    assert walls[35, 40] and walls[36, 71] and len(acts(still)) == 1
+    still.key(pygame.K_s, "s")
+    still.key(pygame.K_d, "d")
+    go("UP", mod=far)
+    still.press(pygame.K_RETURN)
+    go("LEFT", "LEFT", "LEFT")
+    still.release(pygame.K_RETURN)
+    assert still.world.sand[26, 68:72].all() and still.world.grains == 4
+    still.key(pygame.K_DELETE)
+    assert still.world.grains == 3
+    still.key(pygame.K_j, "j")
+    still.key(pygame.K_RETURN)
+    assert still.world.fixtures == (Fixture("tap", 68, 26, 1, 1, 4),)
+    go("DOWN", "DOWN", mod=far)
+    still.key(pygame.K_v, "v")
+    still.key(pygame.K_RETURN)
+    assert still.world.grains == 120 * 90 - walls.sum()
+    assert still.session.account.balanced(still.world)
+    still.key(pygame.K_k, "k")
+    still.key(pygame.K_RETURN)
+    assert sum(not entry.join for entry in acts(still)) == 5
+
+
+def test_the_cursor_leaves_the_panel_its_keys_once_tab_has_led_there(still):
+    still.key(pygame.K_k, "k")
+    still.key(pygame.K_TAB)
+    cursor = still.toy.cursor.place
+    still.key(pygame.K_DOWN)
+    assert still.toy.cursor.place == cursor
+    still.key(pygame.K_ESCAPE)  # closes the list that the arrow opened
+    still.key(pygame.K_ESCAPE)  # leaves the panel
+    still.key(pygame.K_DOWN)
+    assert still.toy.cursor.place == (cursor[0], cursor[1] + 1)

@@ -72,6 +72,10 @@ class Focus:
             self.scroll.reveal(ring.top - self.notch // 4, ring.bottom + self.notch // 4)
         self.reveal = False
 
+    def leave(self):
+        """Give the keyboard back."""
+        self._drop()
+
     def owns(self, pos):
         """Say whether the pointer at `pos` in the window is the panel's: over it, or dragging something of it."""
         return bool(self._ours) or (not self._theirs and self._view.collidepoint(pos))
