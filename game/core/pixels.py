@@ -9,6 +9,7 @@ import numpy as np
 
 from game.core.jit import gate, kernel
 from game.core.planes import BITS, SAND, WALLS
+from game.core.streams import blend_row
 
 TEXTURE = 64  # side of the texture of shades, in cells; a power of two
 SHADES = 4
@@ -129,12 +130,13 @@ def _copy(source, first, target, start, size):
 
 
 @kernel
-def draw_cells(planes, decor, stride, words, columns, rows, shades, pairs, pixels, top, left):
+def draw_cells(planes, decor, stride, words, columns, rows, shades, pairs, samples, blends, pixels, top, left):
     """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
     decor: None, or what stands still behind or in the cells, see core.decor. columns: uint32, the lattice column of
     each pixel column from `left`. rows: int32, the lattice row of each pixel row from `top`. shades: (TEXTURE,
-    64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives.
+    64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives. samples, blends: those of
+    `core.streams.blend_row`, or no samples.
     """
     bits = np.empty((8, words), np.uint64)
     room = np.empty(words, np.uint64)
@@ -153,6 +155,8 @@ def draw_cells(planes, decor, stride, words, columns, rows, shades, pairs, pixel
         _bits_of_row(planes, decor, stride, words, y, 1, bits[4:])
         _spread(bits, words, room, looks)
         _colours_of_row(looks, shades[y % TEXTURE], pairs, colours)
+        if samples.shape[0]:
+            blend_row(planes, decor, samples, stride, words, y, shades[y % TEXTURE], blends, cells)
         if unscaled:
             _copy(cells, columns[0], line, left, width)
         else:

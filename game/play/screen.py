@@ -30,7 +30,8 @@ class Screen:
             toy.stage.refresh()
         rects = []
         if self.stale or not toy.stepping.passing(now_s):
-            rects = toy.stage.draw(toy.session.world, self._marks(), self._overlay(), now_s)
+            streams = None if toy.session.paused else toy.session.streams
+            rects = toy.stage.draw(toy.session.world, self._marks(), self._overlay(), now_s, streams)
         self.stale = False
         bar = toy.time_bar.drawing(toy.session)
         if bar != self._bar_drawn:

@@ -54,10 +54,11 @@ class Stage:
         self.turn = None
         self.refresh()
 
-    def draw(self, world, marks, overlay, now_s):
+    def draw(self, world, marks, overlay, now_s, streams=None):
         """Bring the stage up to date and return the rects of the window that changed.
 
-        marks: a tuple of `Mark`. overlay: a function that draws over the sand on a surface, or None.
+        marks: a tuple of `Mark`. overlay: a function that draws over the sand on a surface, or None. streams: the
+        Streams to draw falling sand by, or None.
         """
         if self.turn:
             frame, ground = tuple(self.area), self.window.surface.map_rgb(self._theme.colours.ground)
@@ -67,7 +68,7 @@ class Stage:
         if self._overlay and not overlay:
             self.refresh()
         old = [each.rect.clip(self.area) for each in self._marks if each not in marks]
-        spans = self._draw_sand(world, old)
+        spans = self._draw_sand(world, old, streams)
         if not spans and marks == self._marks and overlay is self._overlay:
             return []
         new = [each.rect.clip(self.area) for each in marks if each not in self._marks]
@@ -79,13 +80,13 @@ class Stage:
         rects = [pygame.Rect(self.area.left, top, self.area.width, bottom - top) for top, bottom in spans]
         return rects + old + new
 
-    def _draw_sand(self, world, damaged):
+    def _draw_sand(self, world, damaged, streams):
         """Draw the sand that has changed, and what lies in the damaged rects; return the spans of rows drawn."""
         for rect in damaged:
             self.window.surface.fill(self._theme.colours.ground, rect)
         damage = [(rect.top, rect.bottom) for rect in damaged]
         drawn = []
-        self.window.paint(lambda pixels: drawn.extend(self._painter.draw(world, pixels, damage)))
+        self.window.paint(lambda pixels: drawn.extend(self._painter.draw(world, pixels, damage, streams)))
         if self.veil and drawn:
             self.window.paint(lambda pixels: self.veil.draw(pixels, self.view, drawn, self._map_rgb))
         return drawn

@@ -3,6 +3,7 @@
 import time
 
 from game.world.session import BUDGET_NS
+from game.world.streams import Streams
 
 LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
 LONG_WAY_S = 0.3  # a way to another moment that takes longer is shown
@@ -15,6 +16,7 @@ class Stepping:
         self._toy = toy
         self.frame_ns = 0  # what the whole of the last frame took
         self._own_ns = self._other_ns = 0  # what stepping took in this frame, and anything else in the last one
+        self._streams = Streams()
         self._way_since_s = None  # since when another moment is being computed
 
     @property
@@ -53,6 +55,7 @@ class Stepping:
             if not stage.turn.over(now_s):
                 return
             stage.end_turn()
+        toy.session.streams = self._streams if toy.settings["smooth_streams"] else None
         budget_ns = max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS)
         due = toy.ahead.due()
         toy.session.frame(elapsed_ns, budget_ns, toy.timer.due() if due is None else due)

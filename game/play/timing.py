@@ -31,13 +31,14 @@ STAGES = {  # what each stage is made of; the rest of a frame is "other"
 }
 
 
-def frames(scene, window_size, iterations, count):
+def frames(scene, window_size, iterations, count, smooth=True):
     """Play `count` frames of `scene` at `iterations` a frame, without pauses, and return the report as a dict."""
     pygame.font.init()
     window = Window(window_size or loop.window_size(scene, scene.cell, Theme(1.0)))
-    for _, act in steps(scene.rule, dense=True):
+    for _, act in steps(scene.rule, scene.made_of, dense=True):
         act()
     toy = Toy(window, scene)
+    toy.settings["smooth_streams"] = smooth
     toy.session.clock.speed = iterations * loop.FRAMES_PER_SECOND
     spent = Counter()
     _watch(toy, spent)
@@ -149,6 +150,7 @@ def main():
     parser.add_argument("--window", type=_pair, metavar="WxH", help="window, in pixels (default: the scene's)")
     parser.add_argument("--iterations-per-frame", type=int, default=16, metavar="N")
     parser.add_argument("--frames", type=int, default=300, metavar="N")
+    parser.add_argument("--plain-streams", action="store_true", help="draw falling sand cell by cell")
     parser.add_argument("--start-up", action="store_true", help="time the start instead of frames")
     parser.add_argument("--since", type=int, default=time.time_ns(), metavar="NS", help="when the process was started")
     parser.add_argument("--json", action="store_true", help="print one JSON object on one line")
@@ -157,7 +159,7 @@ def main():
         report = start_up(options.since)
     else:
         scene = load_scene(options.scene, options.size)
-        report = frames(scene, options.window, options.iterations_per_frame, options.frames)
+        report = frames(scene, options.window, options.iterations_per_frame, options.frames, not options.plain_streams)
     print(json.dumps(report, indent=None if options.json else 2))
 
 

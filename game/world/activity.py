@@ -17,6 +17,7 @@ class Activity:
         self.changed = np.zeros(bands, np.int64)  # the stamp of the latest change
         self.stamp = 1  # rises with every batch of iterations and every act
         self.woken = 1  # the stamp of the latest change from outside: without one, no wall has changed
+        self.remade = 1  # the stamp of the latest change from outside to all of the lattice
         self.schedule, self.iteration = None, None  # what `quiet` counts for
 
     def expect(self, schedule, iteration):
@@ -34,6 +35,8 @@ class Activity:
         self.stamp += 1
         self.quiet[bands] = 0
         self.changed[bands] = self.woken = self.stamp
+        if top == 0 and bottom is None:
+            self.remade = self.stamp
 
     @property
     def settled(self):

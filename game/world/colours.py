@@ -96,7 +96,7 @@ NIGHT = Colours(
         AIR_BY_WALL: _flat(26, 23, 20),
         INSIDE: _flat(40, 39, 37),
         INSIDE_BY_WALL: _flat(31, 31, 30),
-        GLEAM: _flat(50, 51, 51),
+        GLEAM: _flat(53, 55, 56),
         POST: Range((70, 45, 31), (78, 51, 35)),
     },
     sand={

@@ -4,6 +4,7 @@ import numpy as np
 
 from game.core.density_pixels import LIGHTS
 from game.core.pixels import AIR, GLEAM, GRAIN, INSIDE, POST, SURFACE, WALL, WOOD
+from game.core.streams import SAMPLES
 
 
 def linear(values):
@@ -22,6 +23,19 @@ def lights(palette):
     air = look[AIR]
     plain = [air, look[GRAIN] - air, look[SURFACE] - look[GRAIN], look[WALL] - air]
     return np.stack([*plain, look[WOOD] - look[WALL], look[INSIDE] - air, look[GLEAM] - air, look[POST] - air])
+
+
+def blends(palette, channels):
+    """Return the colours of cells that held sand in some of the samples: (SAMPLES - 1, 4, shades) pixel values.
+
+    palette: (LOOKS, shades) 0xRRGGBB. channels: those of the pixels. See `core.streams`.
+    """
+    components = np.stack([palette >> 16 & 255, palette >> 8 & 255, palette & 255], axis=-1)
+    look = linear(components / 255)
+    share = np.arange(1, SAMPLES)[:, None, None, None] / SAMPLES
+    mixed = (1 - share) * look[[AIR, INSIDE, GLEAM, POST]] + share * look[SURFACE]
+    levels = np.round(mixed * (LIGHTS - 1)).astype(int)
+    return sum(channels[part][levels[..., part]] for part in range(3))
 
 
 def channels(map_rgb):

@@ -8,7 +8,9 @@ from game.core.pixels import TEXTURE, draw_cells, pairs_of, shades_of
 from game.core.planes import WALLS, layout
 from game.world import light
 from game.world.colours import NIGHT, palette, rgb
+from game.world.streams import NO_SAMPLES
 
+NO_BLENDS = np.zeros((0, 0, 0), np.uint32)
 MOST_DECORATED = 2**24  # cells: in a larger lattice, a painted wall would hold a frame up for too long
 
 
@@ -32,6 +34,8 @@ class Painter:
         self._shades = shades_of(texture(), layout(*view.shape).words)
         self._lights = light.lights(palette(colours, walls)) if mixes else None
         self._channels = light.channels(map_rgb) if mixes else None
+        self._blends = light.blends(palette(colours, walls), self._channels) if mixes else NO_BLENDS
+        self._samples, self._moving = NO_SAMPLES, ()  # as drawn last: see `world.streams`
         self._seen = 0  # the stamp of the world drawn last
         self._glass = walls == "glass" and view.shape[0] * view.shape[1] <= MOST_DECORATED
         self._decor = self._decorated = None  # what decorates the glass, and its walls
@@ -46,15 +50,18 @@ class Painter:
         else:
             self._columns, self._rows = view.columns.astype(np.uint32), view.rows
 
-    def draw(self, world, pixels, damage=()):
+    def draw(self, world, pixels, damage=(), streams=None):
         """Draw what differs from the last drawing into `pixels`, an (h, w) uint32 array that holds the view, in place.
 
-        damage: spans (top, bottom) of pixel rows that were overwritten since. Return the spans drawn, from the top.
+        damage: spans (top, bottom) of pixel rows that were overwritten since. streams: the Streams of the world, if
+        falling sand is to be drawn as the mean of the last iterations. Return the spans drawn, from the top.
         """
         if self._glass:
             self._decorate(world)
         spans = [*self._changed(world), *(self._clipped(*span) for span in damage)]
         self._world, self._seen = world, world.activity.stamp
+        smooth = streams is not None and streams.follows(world) and self._channels is not None
+        self._samples, self._moving = (streams.samples, streams.moving > 0) if smooth else (NO_SAMPLES, ())
         drawn = _merged(spans)
         for top, bottom in drawn:
             self._draw_rows(world, pixels, top, bottom)
@@ -81,7 +88,10 @@ class Painter:
             yield top, bottom
             return
         band_height = 2 * world.activity.band_rows
-        for band in np.nonzero(world.activity.changed > self._seen)[0]:
+        changed = world.activity.changed > self._seen
+        if len(self._moving):
+            changed |= self._moving  # they were drawn as means of what was still to change
+        for band in np.nonzero(changed)[0]:
             # a band's blocks reach a row further down; looks tell of the two rows above and of walls below
             yield self._pixels_of(band * band_height - 1, (band + 1) * band_height + 3)
 
@@ -104,7 +114,7 @@ class Painter:
         if self._counts:
             draw_density(*what, self._lights, self._channels, pixels, top, left)
         else:
-            draw_cells(*what, self._shades, self._pairs, pixels, top, left)
+            draw_cells(*what, self._shades, self._pairs, self._samples, self._blends, pixels, top, left)
 
 
 def _merged(spans):

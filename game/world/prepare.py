@@ -13,6 +13,7 @@ from game.world.measure import pile_heights
 from game.world.part import Part, Still
 from game.world.picture import Painter, rgb
 from game.world.rule import Rule
+from game.world.streams import Streams
 from game.world.view import View
 from game.world.world import World
 
@@ -23,15 +24,15 @@ KINDS = {  # a rule for each kind of kernel
 }
 
 
-def steps(rule, dense=False):
+def steps(rule, walls, dense=False):
     """Return [(what, act)], every kernel that playing a scene with `rule` needs; call each act to make it ready.
 
-    dense: the scene has more cells than the window has pixels.
+    walls: what they are made of. dense: the scene has more cells than the window has pixels.
     """
-    return [("drawing from afar", _draw_from_afar)] * dense + [
+    return [("drawing from afar", lambda: _draw_from_afar(walls))] * dense + [
         ("the layout of the cells", lambda: (_dot().sand, _dot().flip())),
         (_kind_of(rule), lambda: advance(_dot(), rule, 1)),
-        ("drawing", _draw),
+        ("drawing", lambda: _draw(walls)),
         ("the brush", lambda: apply(Paint("sand", (0.0, 0.0), (1.0, 1.0), 1), _dot(), rule)),
     ]
 
@@ -42,7 +43,10 @@ def later_steps(rule):
     return [
         ("the turn of the glass", _turn),
         ("the figures", _figures),
-        ("drawing from afar", _draw_from_afar),
+        ("drawing glass", lambda: _draw("glass")),
+        ("drawing stone", lambda: _draw("stone")),
+        ("drawing stone from afar", lambda: _draw_from_afar("stone")),
+        ("drawing glass from afar", lambda: _draw_from_afar("glass")),
         ("the forecast", _forecast),
         ("the measures", lambda: pile_heights(_dot())),
     ] + [(what, lambda other=other: advance(_dot(), other, 1)) for what, other in others]
@@ -53,12 +57,16 @@ def _dot():
     return World.from_cells(np.eye(2, dtype=bool), np.zeros((2, 2), bool))
 
 
-def _draw():
-    Painter(View.fit((2, 2), 0, 0, 2, 2)).draw(_dot(), np.zeros((2, 2), np.uint32))
+def _draw(walls):
+    world, streams = _dot(), Streams()
+    for _ in range(2):
+        advance(world, KINDS["sand that always moves"], 1)
+        streams.note(world)
+    Painter(View.fit((2, 2), 0, 0, 2, 2), walls=walls).draw(world, np.zeros((2, 2), np.uint32), streams=streams)
 
 
-def _draw_from_afar():
-    Painter(View.fit((2, 2), 0, 0, 1, 1)).draw(_dot(), np.zeros((1, 1), np.uint32))
+def _draw_from_afar(walls):
+    Painter(View.fit((2, 2), 0, 0, 1, 1), walls=walls).draw(_dot(), np.zeros((1, 1), np.uint32))
 
 
 def _turn():

@@ -20,6 +20,7 @@ class Session:
         self.due = self.done = 0  # iterations of the last frame: wanted, and run
         self.journal = None  # the Journal that hears of every act, if any
         self.trouble = None  # why the journal has stopped, in one line; the sand goes on
+        self.streams = None  # the Streams that watch the last iterations of a frame, if any
         self._paced = scene  # whose pace the clock keeps
 
     @classmethod
@@ -103,10 +104,15 @@ class Session:
             self.timeline.catch_up(budget_ns)
             self.done = 0
             return abs(self.timeline.moment.now - before)
-        self.done = self.timeline.run(self.due, budget_ns)
+        self.done = self._run(self.due, budget_ns)
         self._keep_pace()
         self._note(Entry(self.now, WAIT))
         return self.done
+
+    def _run(self, iterations, budget_ns):
+        if self.streams and self.streams.are_worth(self.world.shape, self.clock.speed):
+            return self.streams.run(self.timeline, iterations, budget_ns)
+        return self.timeline.run(iterations, budget_ns)
 
     def step(self):
         """Run one iteration, paused or not."""
