@@ -10,6 +10,7 @@ from game.play.keys import CTRL
 from game.world.view import LEVELS, View, level
 
 LEFT, MIDDLE = 1, 2
+CTRL_KEYS = pygame.K_LCTRL, pygame.K_RCTRL, pygame.K_LMETA, pygame.K_RMETA
 FEWEST_CELLS = 6  # across the shorter side of the stage, at the largest zoom, but for
 LARGEST_CELL = 64  # pixels: no stage is too small for this
 PAN = 1 / 8  # of the stage, by one press of a key
@@ -23,6 +24,7 @@ class Camera:
         self._toy = toy
         self.badge = Badge(toy)
         self._drag = None  # where the pointer was that drags the lattice along, and the button that does
+        self._ctrl = False  # a Ctrl key is held
         self._space = None  # while Space is held: whether it has dragged
         self._pointer = None
         self._fingers = {}  # where they are, by number
@@ -96,7 +98,7 @@ class Camera:
     # --- events ---
 
     def _wheel(self, event):
-        if not pygame.key.get_mods() & CTRL:
+        if not (self._ctrl or pygame.key.get_mods() & CTRL):
             return False
         self.zoom(event.y)
         return True
@@ -131,12 +133,14 @@ class Camera:
         return True
 
     def _key_down(self, event):
+        self._ctrl |= event.key in CTRL_KEYS
         if event.key != pygame.K_SPACE or event.mod & (CTRL | pygame.KMOD_ALT) or self._toy.brush.painting:
             return False
         self._space = bool(self._space)
         return True
 
     def _key_up(self, event):
+        self._ctrl &= event.key not in CTRL_KEYS
         if event.key != pygame.K_SPACE or self._space is None:
             return False
         dragged, self._space = self._space, None
@@ -148,7 +152,7 @@ class Camera:
         """Forget what is held: the window will not hear it let go."""
         self._drag = self._space = self._pinch = None
         self._fingers.clear()
-        self._swallows = False
+        self._swallows = self._ctrl = False
         return False
 
     # --- fingers ---

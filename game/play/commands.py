@@ -143,6 +143,10 @@ class Commands:
         """Show what lies beside the cells in sight."""
         self.toy.camera.pan(int(right), int(down))
 
+    def toggle_blocks(self):
+        """Show what each block can do in the coming iteration, or hide it."""
+        self.toy.blocks.toggle()
+
     # --- files ---
 
     def save(self):

@@ -74,10 +74,11 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("Shift+D", (pygame.K_d,), "next_shape", "round, square, diamond", SHIFT),
     ),
     "View": (
-        Key("0", (pygame.K_0, pygame.K_KP0), "show_all", "the whole lattice"),
+        Key("0, B", (pygame.K_0, pygame.K_KP0), "show_all", "all of the lattice; blocks to come"),
         Key("Ctrl + -", (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "zoom 1", "zoom (also Ctrl+wheel)", CTRL),
         Key("", (pygame.K_PLUS, pygame.K_EQUALS), "zoom 1", "", CTRL | SHIFT),
         Key("", (pygame.K_MINUS, pygame.K_KP_MINUS), "zoom -1", "", CTRL),
+        Key("", (pygame.K_b,), "toggle_blocks", ""),
         Key("Ctrl+arrows", (pygame.K_LEFT,), "look -1 0", "look around (also Space + drag)", CTRL),
         Key("", (pygame.K_RIGHT,), "look 1 0", "", CTRL),
         Key("", (pygame.K_UP,), "look 0 -1", "", CTRL),

@@ -28,6 +28,7 @@ class Screen:
             return toy.page.draw(surface)
         if self.stale:
             toy.stage.refresh()
+        toy.blocks.prepare()
         rects = []
         if self.stale or not toy.stepping.passing(now_s):
             streams = None if toy.session.paused else toy.session.streams

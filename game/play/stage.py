@@ -14,7 +14,7 @@ class Stage:
         self.window = window
         self.area = pygame.Rect(0, 0, 1, 1)
         self.view = self.turn = None
-        self.veil = None  # what lies over the sand, part of the picture of it
+        self.veil = self.blocks = None  # what lies over the sand, part of the picture of it
         self.whole = None  # the view of the whole lattice
         self._marks, self._overlay = (), None  # as last drawn
         self._bare = True  # nothing of the stage has been drawn yet
@@ -89,7 +89,15 @@ class Stage:
         self.window.paint(lambda pixels: drawn.extend(self._painter.draw(world, pixels, damage, streams)))
         if self.veil and drawn:
             self.window.paint(lambda pixels: self.veil.draw(pixels, self.view, drawn, self._map_rgb))
+        if self.blocks:
+            self._draw_blocks(drawn)
         return drawn
+
+    def _draw_blocks(self, spans):
+        for top, bottom in spans:
+            self.window.surface.set_clip(self.area.left, top, self.area.width, bottom - top)
+            self.blocks.draw(self.window.surface, self._theme, self.view)
+        self.window.surface.set_clip(None)
 
     def _lay_over(self, overlay):
         if overlay:

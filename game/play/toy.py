@@ -6,6 +6,7 @@ from functools import cache
 from game.play import hud, panel, timebar
 from game.play.ahead import Ahead
 from game.play.background import Background
+from game.play.blocks import Blocks
 from game.play.camera import Camera
 from game.play.commands import Commands
 from game.play.cursor import Cursor
@@ -73,7 +74,7 @@ class Toy:
         self.notices = Notices()
         self.background = Background(lambda error: self.notices.say(error, trouble=True))
         self.mixer = Mixer(self.background)
-        self.rewind, self.camera = Rewind(), Camera(self)
+        self.rewind, self.camera, self.blocks = Rewind(), Camera(self), Blocks(self)
         self.time_bar = timebar.TimeBar(self.theme)
         self.files, self.gallery = Files(self), Gallery(self)
         self.help = Help(self)
