@@ -8,19 +8,23 @@ in those of odd columns it is wall. Everything outside the lattice is wall.
 
 Planes are one (PLANES, length) uint64 array. Sand comes first, at 2·(row parity) + (column parity); walls follow in the
 same order; last come two copies of the walls of even columns, for iterations with odd x: their seams hold the
-neighbours for good and their first word is all wall, which keeps the seam's own block still.
+neighbours for good and their first word is all wall, which keeps the seam's own block still. A world with coloured
+grains has COLOURED_PLANES: four more for each bit of a colour, in the order of sand, 0 where there is none.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from game.core.jit import kernel
+from game.core.jit import gate, kernel
 
 SAND = 0  # first plane of sand
 WALLS = 4  # first plane of walls
 SHIFTED_WALLS = 8  # walls of even columns for odd x: even rows, then odd rows
 PLANES = 10
+COLOURS = 10  # first plane of colours, where a world has any: four planes for each bit, the lowest bit first
+DEPTH = 3  # bits of a colour
+COLOURED_PLANES = COLOURS + 4 * DEPTH
 BITS = 64
 
 # Planes start this many words apart, modulo a 4096-byte page: were all starts alike, as a width of 2**n makes them, a
@@ -32,6 +36,8 @@ LINE = 8  # words in a cache line: loads and stores that straddle two cost a thi
 _ONE = np.uint64(1)
 _TOP = np.uint64(BITS - 1)
 _FULL = np.uint64(2**64 - 1)
+_PAIRS, _FOURS = np.uint64(0x5555555555555555), np.uint64(0x3333333333333333)
+_BYTES, _EACH_BYTE = np.uint64(0x0F0F0F0F0F0F0F0F), np.uint64(0x0101010101010101)
 
 
 class Layout(NamedTuple):
@@ -54,22 +60,30 @@ def layout(height, width):
     return Layout(height, width, rows, words, stride, -(-used // PAGE) * PAGE + STAGGER)
 
 
-def pack(sand, walls):
-    """Return the planes of two (H, W) bool arrays."""
+def pack(sand, walls, colours=None):
+    """Return the planes of two (H, W) bool arrays, and of the colours of the sand, (H, W) uint8, if there are any."""
     where = layout(*sand.shape)
-    planes = empty(where)
-    planes[:WALLS] = 0
-    planes[WALLS:] = _FULL
-    _pack_cells(sand.view(np.uint8), walls.view(np.uint8), planes, where.words)
+    planes = empty(where, PLANES if colours is None else COLOURED_PLANES)
+    planes[:] = 0
+    planes[WALLS:COLOURS] = _FULL
+    _pack_cells(sand.view(np.uint8), planes[SAND : SAND + 4], where.words)
+    _pack_cells(walls.view(np.uint8), planes[WALLS : WALLS + 4], where.words)
     shift_walls(planes, where.rows, where.words)
+    for bit, first in enumerate(colour_planes(planes)):
+        _pack_cells((colours >> bit) & 1, planes[first : first + 4], where.words)
     return planes
 
 
 def empty(where, number=PLANES):
     """Return room for a number of planes of a layout, not filled, starting at a cache line as every plane then does."""
-    room = np.empty(number * where.length + LINE, np.uint64)
+    return aligned(number * where.length).reshape(number, where.length)
+
+
+def aligned(words):
+    """Return room for words, not filled, that starts at a cache line."""
+    room = np.empty(words + LINE, np.uint64)
     start = -room.ctypes.data // room.itemsize % LINE
-    return room[start : start + number * where.length].reshape(number, where.length)
+    return room[start : start + words]
 
 
 def unpack(planes, where, first=SAND):
@@ -77,6 +91,44 @@ def unpack(planes, where, first=SAND):
     cells = np.empty((where.height, where.width), np.uint8)
     _unpack_cells(planes[first : first + 4], where.words, cells)
     return cells.view(np.bool_)
+
+
+def colour_planes(planes):
+    """Return the first of the four planes of each bit of the colours, the lowest bit first; none without colours."""
+    return range(COLOURS, len(planes), 4)
+
+
+def unpack_colours(planes, where):
+    """Return the colours of the cells, 0 where there is no sand, as an (H, W) uint8 array."""
+    colours = np.zeros((where.height, where.width), np.uint8)
+    for bit, first in enumerate(colour_planes(planes)):
+        colours |= unpack(planes, where, first).view(np.uint8) << bit
+    return colours * unpack(planes, where)
+
+
+def count_colours(planes, where):
+    """Return how many cells have sand of each colour: a list of 2**DEPTH ints."""
+    counts = np.zeros(2**DEPTH, np.int64)
+    if len(planes) > PLANES:
+        _count_colours(planes, where.rows, where.words, counts)
+    else:
+        counts[0] = count(planes, where)
+    return counts.tolist()
+
+
+def with_colours(planes, where):
+    """Return the planes with room for colours, all of them 0."""
+    more = empty(where, COLOURED_PLANES)
+    more[:PLANES] = planes
+    more[PLANES:] = 0
+    return more
+
+
+def without_colours(planes, where):
+    """Return the planes of sand and walls alone, in memory of their own."""
+    fewer = empty(where)
+    fewer[:] = planes[:PLANES]
+    return fewer
 
 
 def count(planes, where, first=SAND):
@@ -104,13 +156,16 @@ def bands(planes, where, first=SAND, height=64):
 
 def turn(planes, where):
     """Turn the lattice by 180 degrees, in place."""
-    sand, walls = unpack(planes, where, SAND), unpack(planes, where, WALLS)
-    planes[:] = pack(np.ascontiguousarray(sand[::-1, ::-1]), np.ascontiguousarray(walls[::-1, ::-1]))
+    cells = [unpack(planes, where, SAND), unpack(planes, where, WALLS)]
+    if len(planes) > PLANES:
+        cells.append(unpack_colours(planes, where))
+    planes[:] = pack(*(np.ascontiguousarray(each[::-1, ::-1]) for each in cells))
 
 
 @kernel
-def _pack_cells(sand, walls, planes, words):
-    height, width = sand.shape
+def _pack_cells(cells, planes, words):
+    """Set the bits of four planes to the values of cells, in place."""
+    height, width = cells.shape
     for y in range(height):
         for x in range(width):
             plane = 2 * (y & 1) + (x & 1)
@@ -118,10 +173,10 @@ def _pack_cells(sand, walls, planes, words):
             word = (x >> 1) - lane * words
             at = (y >> 1) * (words + 1) + word
             bit = _ONE << np.uint64(lane)
-            if sand[y, x]:
-                planes[SAND + plane, at] |= bit
-            if not walls[y, x]:
-                planes[WALLS + plane, at] &= ~bit
+            if cells[y, x]:
+                planes[plane, at] |= bit
+            else:
+                planes[plane, at] &= ~bit
 
 
 @kernel
@@ -145,3 +200,31 @@ def shift_walls(planes, rows, words):
         for start in range(0, rows * (words + 1), words + 1):
             planes[copy, start + words] = (planes[plane, start] >> _ONE) | (_ONE << _TOP)
             planes[copy, start] = _FULL
+
+
+@gate
+def _ones(word):
+    """Return how many bits of a word are set; the compiler knows this way to write it and takes one instruction."""
+    word -= (word >> _ONE) & _PAIRS
+    word = (word & _FOURS) + ((word >> np.uint64(2)) & _FOURS)
+    return (((word + (word >> np.uint64(4))) & _BYTES) * _EACH_BYTE) >> np.uint64(56)
+
+
+@gate
+def _if_set(word, colour, bit):
+    """Return a word where the bit of the colour is 1, else its opposite."""
+    return word if (colour >> bit) & 1 else ~word
+
+
+@kernel
+def _count_colours(planes, rows, words, counts):
+    """Add up the grains of each colour in `counts`, (2**DEPTH,) int64, in place."""
+    for plane in range(4):
+        low, middle, high = planes[COLOURS + plane], planes[COLOURS + 4 + plane], planes[COLOURS + 8 + plane]
+        for colour in range(len(counts)):
+            found = np.uint64(0)
+            for start in range(0, rows * (words + 1), words + 1):
+                for i in range(start, start + words):
+                    same = _if_set(low[i], colour, 0) & _if_set(middle[i], colour, 1) & _if_set(high[i], colour, 2)
+                    found += _ones(planes[SAND + plane, i] & same)
+            counts[colour] += np.int64(found)

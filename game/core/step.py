@@ -14,8 +14,10 @@ import numpy as np
 
 from game.core.block import events
 from game.core.chance import STAGE, iteration_key, random_word, seed_stream
+from game.core.colour import Tracks, add_tracks, follow_band, leave_tracks
 from game.core.jit import gate, kernel
 from game.core.planes import SHIFTED_WALLS, WALLS
+from game.core.seam import close_seams, open_seams
 
 BAND = 1024  # words of blocks in a band, about: with less, calls cost more than work; with more, less can be skipped
 IN_CACHE = 8192  # words of blocks that bands in flight may have together: with walls 1/2 MiB, for the second cache
@@ -34,6 +36,7 @@ class Room(NamedTuple):
     flags: np.ndarray  # uint8: the word has candidates; padded to whole groups of eight
     undecided: np.ndarray  # uint64: the candidates of the word that draws so far left undecided
     flagged: np.ndarray  # uint64: the numbers of the flagged words; one more is written behind the last
+    tracks: Tracks | None  # where grains went, if they have colours
 
 
 class Corners(NamedTuple):
@@ -85,13 +88,15 @@ def put(planes, at, i, a, b, c, d):
 
 
 @gate
-def move_certain(planes, at, size):
+def move_certain(planes, at, size, tracks):
     """Move every grain that can move, in place; return whether there is any."""
     moved = _ZERO
     for i in range(size):
         a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
         fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
         put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
+        if tracks is not None:
+            leave_tracks(tracks, i, fl | tr, fr | tl, fl | tl)
         moved |= fl | fr | tl | tr
     return moved != _ZERO
 
@@ -105,7 +110,7 @@ def certain_falls(fl, fr, oa, ob, oc, od, seven):
 
 
 @gate
-def fall(planes, at, size, flags, seven):
+def fall(planes, at, size, flags, seven, tracks):
     """Make the certain falls, in place, and flag the words with candidates.
 
     Return whether anything fell and whether a word is flagged. What fell has left no new candidate behind.
@@ -116,6 +121,8 @@ def fall(planes, at, size, flags, seven):
         fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
         left, right = certain_falls(fl, fr, oa, ob, oc, od, seven)
         put(planes, at, i, a ^ left, b ^ right, c ^ left, d ^ right)
+        if tracks is not None:
+            leave_tracks(tracks, i, left, right, left)
         candidates = (fl ^ left) | (fr ^ right) | tl | tr
         flags[i] = candidates != _ZERO
         fell |= left | right
@@ -190,7 +197,7 @@ def draw_stage(stage, kinds, place, draw, key, accepted, rest):
 
 
 @gate
-def draw_few(planes, at, i, rest, first_draw, place, key, chance, seven):
+def draw_few(planes, at, i, rest, first_draw, place, key, chance, seven, tracks):
     """Decide the candidates `rest` of word i from `first_draw` on, and move those accepted, in place."""
     a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
     fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
@@ -205,10 +212,12 @@ def draw_few(planes, at, i, rest, first_draw, place, key, chance, seven):
         draw += STAGE
     fl, fr, tl, tr = fl & accepted, fr & accepted, tl & accepted, tr & accepted
     put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
+    if tracks is not None:
+        add_tracks(tracks, i, fl | tr, fr | tl, fl | tl)
 
 
 @gate
-def draw_many(planes, at, size, undecided, first_draw, place, key, chance, seven):
+def draw_many(planes, at, size, undecided, first_draw, place, key, chance, seven, tracks):
     """Make STAGE draws for the candidates of all words, from `first_draw` on, and move those accepted, in place.
 
     Return how many words have candidates left over, which are in `undecided`, as those of the stage before are. The
@@ -226,6 +235,8 @@ def draw_many(planes, at, size, undecided, first_draw, place, key, chance, seven
         accepted, rest = draw_stage(stage, kinds, place + i, draw, key, accepted, rest & ~accepted)
         fl, fr, tl, tr = fl & accepted, fr & accepted, tl & accepted, tr & accepted
         put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
+        if tracks is not None:
+            add_tracks(tracks, i, fl | tr, fr | tl, fl | tl)
         undecided[i] = rest
         left_over += np.uint64(rest != _ZERO)
     return left_over
@@ -234,46 +245,31 @@ def draw_many(planes, at, size, undecided, first_draw, place, key, chance, seven
 @gate
 def move_by_chance(planes, at, size, place, room, key, chance, seven):
     """Move the sand in `size` words of blocks, in place; return whether there was an event, or could have been one."""
-    fell, some = fall(planes, at, size, room.flags, seven)
+    fell, some = fall(planes, at, size, room.flags, seven, room.tracks)
     if not some:
         return fell
     flagged = list_flagged(room.flags, size, room.flagged)
     if flagged * CROWD <= size:
         for k in range(flagged):
-            draw_few(planes, at, room.flagged[k], _FULL, NONE_YET, place, key, chance, seven)
+            draw_few(planes, at, room.flagged[k], _FULL, NONE_YET, place, key, chance, seven, room.tracks)
         return True
     draw, words = NONE_YET, flagged
     while words * CROWD > size and draw < max(1, chance.draws):  # what is always accepted needs no draw, but a pass
-        words = draw_many(planes, at, size, room.undecided, draw, place, key, chance, seven)
+        words = draw_many(planes, at, size, room.undecided, draw, place, key, chance, seven, room.tracks)
         draw += STAGE
     if words and draw < chance.draws:
         for i in range(size):
             if room.undecided[i] != _ZERO:
-                draw_few(planes, at, i, room.undecided[i], draw, place, key, chance, seven)
+                draw_few(planes, at, i, room.undecided[i], draw, place, key, chance, seven, room.tracks)
     return True
 
 
 @gate
-def open_seams(planes, upper, lower, rows, stride):
-    """Give the last word of each row its right-hand neighbours, before an iteration with odd x.
-
-    upper, lower: where the rows start in two planes of even columns.
-    """
-    seam = np.uint64(stride - 1)
-    for row in range(rows):
-        i, j = upper + np.uint64(row * stride), lower + np.uint64(row * stride)
-        planes[i + seam] = planes[i] >> _ONE
-        planes[j + seam] = planes[j] >> _ONE
-
-
-@gate
-def close_seams(planes, upper, lower, rows, stride):
-    """Take what the iteration made of the seams back into the first words; column 0 belonged to no block."""
-    seam = np.uint64(stride - 1)
-    for row in range(rows):
-        i, j = upper + np.uint64(row * stride), lower + np.uint64(row * stride)
-        planes[i] = (planes[i + seam] << _ONE) | (planes[i] & _ONE)
-        planes[j] = (planes[j + seam] << _ONE) | (planes[j] & _ONE)
+def move_colours(planes, at, length, x, rows, stride, listed, tracks):
+    """Let the colours of a band follow its sand, in place, if there are any."""
+    if tracks is not None:
+        number = list_flagged(tracks.moved, np.uint64(rows * stride), listed)
+        follow_band(planes, at, length, x, rows, stride, listed, number, tracks)
 
 
 @gate
@@ -283,14 +279,18 @@ def move_band(planes, length, stride, x, y, first_row, rows, room, key, certain,
     at = corners(length, stride, x, y, first)
     upper, lower = at.b - _ONE, at.d - _ONE
     if x:
-        open_seams(planes, upper, lower, rows, stride)
+        open_seams(planes, upper, rows, stride)
+        open_seams(planes, lower, rows, stride)
     stirred = False
     if certain is not None:
-        stirred = move_certain(planes, at, size)
+        stirred = move_certain(planes, at, size, room.tracks)
     if chance is not None:
         stirred = move_by_chance(planes, at, size, np.uint64(first), room, key, chance, seven)
     if x and stirred:
-        close_seams(planes, upper, lower, rows, stride)
+        close_seams(planes, upper, rows, stride)
+        close_seams(planes, lower, rows, stride)
+    if stirred:
+        move_colours(planes, at, length, x, rows, stride, room.flagged, room.tracks)
     return stirred
 
 
@@ -302,20 +302,23 @@ def is_still(quiet, band):
 
 
 @kernel
-def advance_planes(planes, shape, quiet, changed, stamp, offsets, seed, iteration, iterations, certain, chance, seven):
+def advance_planes(
+    planes, shape, quiet, changed, stamp, offsets, seed, iteration, iterations, certain, chance, seven, tracks
+):
     """Run a batch of iterations in place.
 
     planes: all of them, flat. shape: (words in a plane, plane rows, stride, plane rows in a band). quiet, changed: a
     value for each band, see `world.Activity`; what stirs is stamped. offsets: (x, y) of the first iterations, repeated.
     seed, iteration: uint64. The code for what is None is not even compiled: certain, unless every event is; chance, the
-    rule's `Chance`, unless one is not; seven, unless falls are left to chance as well as topples.
+    rule's `Chance`, unless one is not; seven, unless falls are left to chance as well as topples; tracks, room for
+    those of a band, unless grains have colours.
 
     Iterations are skewed: a band runs through several of them while it is in the cache, each one band further up than
     the one before, since what happens in a band depends on that band and the one below, an iteration earlier.
     """
     length, rows, stride, band_rows = shape
     size = -(-band_rows * stride // 8) * 8
-    room = Room(np.empty(size, np.uint8), np.empty(size, np.uint64), np.empty(size + 1, np.uint64))
+    room = Room(np.empty(size, np.uint8), np.empty(size, np.uint64), np.empty(size + 1, np.uint64), tracks)
     skew = max(1, IN_CACHE // (band_rows * stride))
     stream, bands = seed_stream(seed), len(quiet)
     for start in range(0, iterations, skew):

@@ -5,6 +5,8 @@ from functools import lru_cache
 import numpy as np
 
 from game.core.chance import chance_of
+from game.core.colour import ROW, Tracks
+from game.core.planes import aligned
 from game.core.step import advance_planes
 from game.world import fixture, knob
 from game.world.fixture import Traffic
@@ -50,6 +52,7 @@ def _run(world, rule, iterations):
         certain,
         chance,
         seven,
+        Tracks(aligned(3 * ROW), np.empty(ROW, np.uint8)) if world.coloured else None,
     )
     world.iteration += iterations
     activity.iteration = world.iteration

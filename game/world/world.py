@@ -22,7 +22,7 @@ class World:
     __slots__ = ("activity", "fixtures", "iteration", "layout", "planes", "seed")
 
     def __init__(self, planes, layout, iteration, seed, fixtures=()):
-        self.planes = planes  # (PLANES, length) uint64: sand, walls, walls for odd x
+        self.planes = planes  # uint64: sand, walls, walls for odd x; colours, if any grain ever had one
         self.layout = layout
         self.iteration = iteration  # iterations since the start, a non-negative int of any size
         self.seed = seed  # in [0, 2**64)
@@ -30,14 +30,18 @@ class World:
         self.activity = Activity(layout)
 
     @classmethod
-    def from_cells(cls, sand, walls, seed=0):
+    def from_cells(cls, sand, walls, seed=0, colours=None):
         """Return a world with sand and walls where two (H, W) bool arrays say so, at iteration 0.
 
-        H and W are in [1, 16384]; seed is in [0, 2**64). Raises ValueError for other shapes, dtypes or seeds, and for a
-        cell that is both sand and wall.
+        H and W are in [1, 16384]; seed is in [0, 2**64). colours: (H, W) uint8, the colour of each grain in [0, 8), a
+        place in `colour.NAMES`, and 0 where there is no sand; all 0 if left out. Raises ValueError for other shapes,
+        dtypes or seeds, for a cell that is both sand and wall, and for colours that are none.
         """
         sand, walls = check_cells(sand, walls)
-        return cls(bit_planes.pack(sand, walls), bit_planes.layout(*sand.shape), 0, knob.SEED.check(seed))
+        if colours is not None:
+            colours = check_colours(colours, sand)
+        planes = bit_planes.pack(sand, walls, colours if colours is not None and colours.any() else None)
+        return cls(planes, bit_planes.layout(*sand.shape), 0, knob.SEED.check(seed))
 
     @property
     def shape(self):
@@ -59,9 +63,24 @@ class World:
         """The number of cells that hold sand."""
         return bit_planes.count(self.planes, self.layout, bit_planes.SAND)
 
+    @property
+    def coloured(self):
+        """Whether the world carries colours: it does from the first coloured grain until it is cleared."""
+        return len(self.planes) > bit_planes.PLANES
+
+    @property
+    def colours(self):
+        """The colour of each grain, 0 where there is no sand: a new (H, W) uint8 array."""
+        return bit_planes.unpack_colours(self.planes, self.layout)
+
+    @property
+    def grains_by_colour(self):
+        """The number of grains of each colour: a tuple of eight."""
+        return tuple(bit_planes.count_colours(self.planes, self.layout))
+
     def copy(self):
         """Return a world of its own with the same cells, iteration and seed."""
-        planes = bit_planes.empty(self.layout)
+        planes = bit_planes.empty(self.layout, len(self.planes))
         planes[:] = self.planes
         return World(planes, self.layout, self.iteration, self.seed, self.fixtures)
 
@@ -83,7 +102,9 @@ class World:
         self.fixtures = tuple(each for each in self.fixtures if not any(reached(x, y) for x, y in each.cells))
 
     def clear(self):
-        """Take all sand away and leave the walls, in place."""
+        """Take all sand away, with its colours, and leave the walls, in place."""
+        if self.coloured:
+            self.planes = bit_planes.without_colours(self.planes, self.layout)
         self.planes[bit_planes.SAND : bit_planes.WALLS] = 0
         self.activity.wake()
 
@@ -130,6 +151,8 @@ class World:
         for first in (bit_planes.SAND, bit_planes.WALLS):
             for rows in bit_planes.bands(self.planes, self.layout, first):
                 digest.update(np.packbits(rows, axis=1).tobytes())
+        if any(self.grains_by_colour[1:]):
+            digest.update(self.colours.tobytes())
         return digest.hexdigest()
 
 
@@ -142,6 +165,20 @@ def check_cells(sand, walls):
         row, column = np.argwhere(sand & walls)[0]
         raise ValueError(f"a cell is sand or wall, not both: row {row}, column {column}")
     return sand, walls
+
+
+def check_colours(colours, sand):
+    """Return an (H, W) uint8 array, contiguous, or raise ValueError saying what the colours of `sand` must be."""
+    colours = np.ascontiguousarray(colours)
+    if colours.dtype != np.uint8 or colours.shape != sand.shape:
+        found = f"{colours.dtype} of shape {colours.shape}"
+        raise ValueError(f"colours must be a uint8 array of shape {sand.shape}, got {found}")
+    wrong = (colours >= 2**bit_planes.DEPTH) | ((colours > 0) & ~sand)
+    if wrong.any():
+        row, column = np.argwhere(wrong)[0]
+        found = f"{colours[row, column]} in row {row}, column {column}"
+        raise ValueError(f"a colour must be in [0, {2**bit_planes.DEPTH}), and 0 where there is no sand, got {found}")
+    return colours
 
 
 def _checked_cells(cells, name):
