@@ -24,3 +24,11 @@ def random_world(generator, height, width, seed=0, sand=0.4, walls=0.2):
     """Return a World with sand and walls strewn at random."""
     wall_cells = generator.random((height, width)) < walls
     return World.from_cells((generator.random((height, width)) < sand) & ~wall_cells, wall_cells, seed)
+
+
+def coloured(world, generator):
+    """Return the world with a colour at random for each grain."""
+    colours = generator.integers(0, 8, world.shape, np.uint8) * world.sand
+    dyed = World.from_cells(world.sand, world.walls, world.seed, colours)
+    dyed.iteration = world.iteration
+    return dyed

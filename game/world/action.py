@@ -6,8 +6,10 @@ from dataclasses import dataclass
 from game.core.brush import DIAMOND, ROUND, SQUARE, comes_over
 from game.core.figures import ELLIPSE, RECTANGLE, covers
 from game.core.ink import ANY, EMPTY, GRAIN, WALL, Ink
+from game.world.dyes import AMBER, DYES
 from game.world.rule import Rule
 from game.world.scene import Scene
+from game.world.tally import NONE
 
 MATERIALS = {"erase": EMPTY, "sand": GRAIN, "wall": WALL}
 KINDS = {"empty": EMPTY, "sand": GRAIN, "wall": WALL}
@@ -27,6 +29,7 @@ class Paint:
     shape: str = "round"  # a key of SHAPES
     only: str = ""  # a key of KINDS: no other cells change, and these do whether `over_walls` or not
     spray: int = 0  # 0, or a number that picks a few of the cells: the others stay
+    colour: str = AMBER  # of sand: one of DYES
 
 
 @dataclass(frozen=True)
@@ -39,6 +42,7 @@ class Draw:
     end: tuple
     edge: int = 0  # cells drawn inwards from the outline; 0 for all
     over_walls: bool = False
+    colour: str = AMBER  # of sand: one of DYES
 
 
 @dataclass(frozen=True)
@@ -47,6 +51,7 @@ class Fill:
 
     material: str  # a key of MATERIALS
     place: tuple
+    colour: str = AMBER  # of sand: one of DYES
 
 
 @dataclass(frozen=True)
@@ -94,15 +99,18 @@ def apply(action, world, rule):
 
 
 def perform(action, world, rule):
-    """Return (world, rule, change) as `apply` does; change: grains that the act put into the world given, or took."""
-    change = 0
+    """Return (world, rule, change) as `apply` does.
+
+    change: the tally of the grains that the act put into the world given, less those that it took.
+    """
+    change = NONE
     match action:
         case Paint():
             change = _paint(action, world)
         case Draw():
             change = _draw(action, world)
         case Fill():
-            change = world.fill(*cell(action.place), Ink(MATERIALS[action.material]))
+            change = world.fill(*cell(action.place), Ink(MATERIALS[action.material], colour=dye(action)))
         case Flip():
             world.flip()
         case Turn():
@@ -110,7 +118,7 @@ def perform(action, world, rule):
         case SetFixtures():
             world.fixtures = action.fixtures
         case Clear():
-            change = -world.grains
+            change = tuple(-grains for grains in world.grains_by_colour)
             world.clear()
         case SetRule():
             rule = action.rule
@@ -127,15 +135,21 @@ def _paint(paint, world):
     shape = SHAPES[paint.shape]
     if paint.material == "erase" and not paint.only and not paint.spray:
         world.drop_fixtures(lambda x, y: comes_over(shape, x, y, *start, *end, paint.diameter / 2))
-    return world.stroke(start, end, paint.diameter, shape, Ink(MATERIALS[paint.material], kinds, paint.spray))
+    ink = Ink(MATERIALS[paint.material], kinds, paint.spray, dye(paint))
+    return world.stroke(start, end, paint.diameter, shape, ink)
 
 
 def _draw(draw, world):
     figure, cells = FIGURES[draw.figure], box(draw.start, draw.end)
     if draw.material == "erase" and not draw.edge:
         world.drop_fixtures(lambda x, y: covers(figure, x, y, *cells))
-    ink = Ink(MATERIALS[draw.material], taken_by(draw.material, draw.over_walls))
+    ink = Ink(MATERIALS[draw.material], taken_by(draw.material, draw.over_walls), colour=dye(draw))
     return world.figure(figure, cells, draw.edge, ink)
+
+
+def dye(action):
+    """Return the number of the colour that an act gives to sand; RAINBOW is the one after the last."""
+    return DYES.index(action.colour)
 
 
 def snap(place, diameter):

@@ -10,8 +10,9 @@ from game.core.planes import aligned
 from game.core.step import advance_planes
 from game.world import fixture, knob
 from game.world.fixture import Traffic
+from game.world.tally import NONE, added
 
-NO_TRAFFIC = Traffic()
+NO_TRAFFIC = Traffic(NONE, NONE)
 
 _MASK = 2**64 - 1
 
@@ -26,10 +27,10 @@ def advance(world, rule, iterations):
     if not world.fixtures:
         _run(world, rule, iterations)
         return NO_TRAFFIC
-    end, poured, swallowed = world.iteration + iterations, 0, 0
+    end, poured, swallowed = world.iteration + iterations, NONE, NONE
     while world.iteration < end:
         came, went = fixture.act(world)
-        poured, swallowed = poured + came, swallowed + went
+        poured, swallowed = added(poured, came), added(swallowed, went)
         _run(world, rule, min(fixture.pause(world.fixtures, world.iteration), end - world.iteration))
     return Traffic(poured, swallowed)
 

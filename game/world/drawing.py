@@ -5,19 +5,26 @@ import warnings
 import numpy as np
 
 from game.world import knob
+from game.world.dyes import AMBER, DYED
 from game.world.table import SceneError, shown
 
-EMPTY, SAND, WALL = 0, 1, 2  # a material, as the uint8 in an array of cells
+EMPTY, SAND, WALL = 0, 1, 2  # a material, as the uint8 in an array of cells; coloured sand has the numbers after them
 MATERIALS = {"empty": EMPTY, "sand": SAND, "wall": WALL}
-MARKS = ".o#"  # a material's character in `cells`, in the order of the numbers above
-COLOURS = ((38, 33, 28), (222, 170, 84), (120, 140, 150))  # a material's colour in a picture; the nearest one counts
+MARKS = ".o#1234567"  # a material's character in `cells`, in the order of the numbers above
+COLOURS = (  # a material's colour in a picture; the nearest one counts
+    (38, 33, 28),
+    DYED[AMBER],
+    (120, 140, 150),
+    *(rgb for name, rgb in DYED.items() if name != AMBER),
+)
+SANDS = (SAND, *range(WALL + 1, len(COLOURS)))  # the material that is sand of each colour
 FORMATS = ("PNG", "GIF", "BMP", "JPEG", "WEBP")
 MOST_PIXELS = 2**26  # of a picture: about half a gigabyte while it is read
 PICTURE_SIZE = f"{MOST_PIXELS} pixels and {knob.SIDE.high} a side"
 
 
 def written_cells(table):
-    """Return the cells that the text at `cells` spells, a row a line: '.' empty, 'o' sand, '#' wall."""
+    """Return the cells that the text at `cells` spells: '.' empty, 'o' sand, '#' wall, '1' … '7' sand of a colour."""
     text = table.values["cells"]
     if not isinstance(text, str):
         raise table.error("cells", shown(text), 'rows of characters . o # between """')
@@ -29,7 +36,8 @@ def written_cells(table):
         strange = row.translate(str.maketrans("", "", MARKS))
         if strange:
             place = f"row {number}, column {row.index(strange[0]) + 1}"
-            raise table.error("cells", f"{strange[0]!r} in {place}", "only . (empty), o (sand), # (wall)")
+            wanted = "only . (empty), o (sand), # (wall), 1 to 7 (sand of a colour)"
+            raise table.error("cells", f"{strange[0]!r} in {place}", wanted)
         if len(row) != len(rows[0]):
             raise table.error("cells", f"{len(row)} characters in row {number}", f"{len(rows[0])} as in row 1")
     codes = np.zeros(128, np.uint8)
@@ -71,6 +79,25 @@ def nearest_materials(pixels):
     materials = np.argmin(distances, axis=0).astype(np.uint8)
     materials[pixels[..., 3] < 128] = EMPTY
     return materials
+
+
+def parted(cells):
+    """Return sand and walls, (H, W) bool, and the colours of the sand, (H, W) uint8 or None, none of them writable."""
+    walls = cells == WALL
+    parts = [(cells != EMPTY) & ~walls, walls]
+    if (cells > WALL).any():
+        numbers = np.zeros(len(COLOURS), np.uint8)
+        numbers[list(SANDS)] = range(len(SANDS))
+        parts.append(numbers[cells])
+    for part in parts:
+        part.flags.writeable = False
+    return (*parts, None)[:3]
+
+
+def joined(sand, walls, colours=None):
+    """Return the (H, W) uint8 materials of cells: what `parted` takes apart."""
+    sands = SAND if colours is None else np.array(SANDS, np.uint8)[colours]
+    return np.where(walls, WALL, np.where(sand, sands, EMPTY)).astype(np.uint8)
 
 
 def resampled(cells, height, width):

@@ -5,8 +5,9 @@ from dataclasses import asdict, dataclass, replace
 from typing import NamedTuple
 
 from game.core.figures import RECTANGLE, figure
-from game.core.ink import EMPTY, GRAIN, Ink
+from game.core.ink import EMPTY, GRAIN, Ink, by_colour
 from game.world import knob
+from game.world.tally import NONE, added, split
 
 TAP, DRAIN = "tap", "drain"
 FIRST_CELL = knob.Knob("place", 0, -knob.SIDE.high, knob.SIDE.high, "cells", "from the left or upper side", whole=True)
@@ -17,10 +18,10 @@ INKS = {TAP: Ink(GRAIN, 1 << EMPTY), DRAIN: Ink(EMPTY, 1 << GRAIN)}
 
 
 class Traffic(NamedTuple):
-    """How many grains came into a world and left it through its fixtures."""
+    """How many grains of each colour came into a world and left it through its fixtures: tuples of eight."""
 
-    poured: int = 0
-    swallowed: int = 0
+    poured: tuple
+    swallowed: tuple
 
 
 @dataclass(frozen=True)
@@ -69,15 +70,15 @@ class Fixture:
 
 def act(world):
     """Let the fixtures act that are due before the world's next iteration, in their order, and return the Traffic."""
-    poured = swallowed = 0
-    where = world.layout
+    where, poured, swallowed = world.layout, NONE, NONE
     for each in world.fixtures:
         if world.iteration % each.every == 0:
-            ink = INKS[each.kind]
+            ink = world.mixed(INKS[each.kind])
             change = figure(world.planes, where.height, where.width, where.words, RECTANGLE, *each.box, 0, ink)
             if change:
                 world.activity.wake(each.y - 1, each.y + each.height + 1)
-            poured, swallowed = poured + max(change, 0), swallowed - min(change, 0)
+                came, went = split(by_colour(change, ink))
+                poured, swallowed = added(poured, came), added(swallowed, went)
     return Traffic(poured, swallowed)
 
 

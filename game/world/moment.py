@@ -26,7 +26,7 @@ class Moment:
     def start(cls, scene, seed):
         """Return the first moment of a session."""
         world = scene.world(seed)
-        return cls(world, scene.rule, scene, Account(world.grains))
+        return cls(world, scene.rule, scene, Account(world.grains_by_colour))
 
     @property
     def now(self):
@@ -48,7 +48,7 @@ class Moment:
         start, now = time.perf_counter_ns(), self.now
         self.world, self.rule, change = perform(action, self.world, self.rule)
         if isinstance(action, Load):
-            self.scene, self.loaded_at, self.account = action.scene, now, Account(self.world.grains)
-        elif change:
+            self.scene, self.loaded_at, self.account = action.scene, now, Account(self.world.grains_by_colour)
+        elif any(change):
             self.account = self.account.booked(change)
         self.work_ns += time.perf_counter_ns() - start

@@ -19,7 +19,9 @@ from game.world.drawing import (
     PICTURE_SIZE,
     SAND,
     WALL,
+    joined,
     nearest_materials,
+    parted,
     resampled,
 )
 from game.world.knob import Knob
@@ -34,7 +36,7 @@ CHUNK = "sandglass"  # the key of the text in the PNG
 LARGEST_FILE = 2**28  # bytes
 THRESHOLD = Knob("threshold", 0.5, 0.02, 1.0, "", "how bright a picture must be to become sand; half of it: walls")
 LUMA = np.array([0.299, 0.587, 0.114], np.float32)  # how bright red, green and blue look (ITU-R BT.601)
-PURE = 0.98  # part of the pixels that must be near the three colours for a picture to count as drawn cells
+PURE = 0.98  # part of the pixels that must be near the colours of cells for a picture to count as drawn cells
 NEAR = 24  # of 255: how far a colour may be from a cell's in each channel; what saving as JPEG does to flat colours
 LARGEST_PHOTO = 640, 480  # cells: a larger photo is scaled down to fit
 
@@ -56,7 +58,7 @@ def save_picture(path, session):
     from PIL.PngImagePlugin import PngInfo
 
     world, scene = session.world, session.scene
-    materials = np.where(world.walls, WALL, np.where(world.sand, SAND, EMPTY)).astype(np.uint8)
+    materials = joined(world.sand, world.walls, world.colours)
     picture = Image.fromarray(materials, "P")
     picture.putpalette([part for colour in COLOURS for part in colour])
     settings = {
@@ -118,13 +120,12 @@ def load_picture(path, threshold=None):
 
 
 def _picture(path, materials, text):
-    sand, walls = materials == SAND, materials == WALL
-    sand.flags.writeable = walls.flags.writeable = False
+    sand, walls, colours = parted(materials)
     try:
         settings, seed = _settings(path, text)
     except SceneError as error:
         raise PictureError(error) from None
-    return Picture(Scene(path.stem, sand=sand, walls=walls, **settings), seed)
+    return Picture(Scene(path.stem, sand=sand, walls=walls, colours=colours, **settings), seed)
 
 
 def _read(path):

@@ -19,6 +19,7 @@ from game.world.action import (
     Turn,
     snap,
 )
+from game.world.dyes import AMBER, DYES
 from game.world.history import REDO, UNDO, WAIT, Entry
 from game.world.knob import Knob
 from game.world.table import Table, shown
@@ -28,8 +29,8 @@ PLAIN = {"flip": Flip, "clear": Clear, UNDO: UNDO, REDO: REDO, WAIT: WAIT}  # en
 SPRAY = Knob("spray", 0, 0, 2**53, "", "which cells a spray picks; 0 picks all", whole=True)
 EDGE = Knob("edge", 0, 0, knob.BRUSH.high, "cells", "drawn inwards from a figure's outline; 0 draws all", whole=True)
 QUARTERS = Knob("quarters", 1, 1, 3, "", "of a turn, clockwise", whole=True)
-BRUSH = ("material", "diameter", "over_walls", "shape", "only", "spray")
-FIGURE = ("figure", "material", "from", "to", "edge", "over_walls")
+BRUSH = ("material", "diameter", "over_walls", "shape", "only", "spray", "colour")
+FIGURE = ("figure", "material", "from", "to", "edge", "over_walls", "colour")
 LONGEST_STROKE = 100_000  # segments
 
 
@@ -42,8 +43,8 @@ def encode(entry, known):
             values |= {"from": _place(paint.start, paint.diameter), "to": _place(paint.end, paint.diameter)}
         case Draw() as draw:
             values |= {"do": "draw", **_figure(draw)}
-        case Fill(material, place):
-            values |= {"do": "fill", "material": material, "place": _short(place)}
+        case Fill(material, place) as fill:
+            values |= {"do": "fill", "material": material, "place": _short(place), **_colour(fill)}
         case Turn(quarters):
             values |= {"do": "turn", "quarters": quarters}
         case SetFixtures(fixtures):
@@ -89,8 +90,8 @@ def decode(table, known):
         table.allow(("at", "do", "join", *FIGURE))
         what = _decode_figure(table)
     elif kind == "fill":
-        table.allow(("at", "do", "join", "material", "place"))
-        what = Fill(table.choice("material", tuple(MATERIALS)), _decode_place(table, "place"))
+        table.allow(("at", "do", "join", "material", "place", "colour"))
+        what = Fill(table.choice("material", tuple(MATERIALS)), _decode_place(table, "place"), _decode_colour(table))
     elif kind == "turn":
         table.allow(("at", "do", "join", "quarters"))
         what = Turn(table.number("quarters", QUARTERS))
@@ -114,14 +115,18 @@ def _brush(paint):
     values |= {"over_walls": True} if paint.over_walls else {}
     values |= {"shape": paint.shape} if paint.shape != Paint.shape else {}
     values |= {"only": paint.only} if paint.only else {}
-    return values | ({"spray": paint.spray} if paint.spray else {})
+    return values | ({"spray": paint.spray} if paint.spray else {}) | _colour(paint)
+
+
+def _colour(act):
+    return {"colour": act.colour} if act.colour != AMBER else {}
 
 
 def _figure(draw):
     values = {"figure": draw.figure, "material": draw.material}
     values |= {"from": _short(draw.start), "to": _short(draw.end)}
     values |= {"edge": draw.edge} if draw.edge else {}
-    return values | ({"over_walls": True} if draw.over_walls else {})
+    return values | ({"over_walls": True} if draw.over_walls else {}) | _colour(draw)
 
 
 def _place(place, diameter):
@@ -184,7 +189,12 @@ def _decode_brush(table):
         "shape": table.choice("shape", tuple(SHAPES), Paint.shape),
         "only": table.choice("only", tuple(KINDS)) if "only" in table else "",
         "spray": table.number("spray", SPRAY, SPRAY.default),
+        "colour": _decode_colour(table),
     }
+
+
+def _decode_colour(table):
+    return table.choice("colour", DYES, AMBER)
 
 
 def _decode_figure(table):
@@ -194,6 +204,7 @@ def _decode_figure(table):
         *(_decode_place(table, key) for key in ("from", "to")),
         table.number("edge", EDGE, EDGE.default),
         _flag(table, "over_walls"),
+        _decode_colour(table),
     )
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from game.world import fixture, knob
 from game.world.assets import asset
 from game.world.colours import WALL_LOOKS
-from game.world.drawing import EMPTY, SAND, WALL, painted_cells, resampled, written_cells
+from game.world.drawing import EMPTY, painted_cells, parted, resampled, written_cells
 from game.world.fixture import DRAIN, TAP
 from game.world.rule import FIELDS, SCHEDULES, Rule
 from game.world.shapes import Scale, middle_of_glass, paint
@@ -42,6 +42,7 @@ class Scene:
     neck: int | None = None  # the row in the middle of its glass, if it has one
     made_of: str = WALL_LOOKS[0]  # what the walls look like
     fixtures: tuple = ()  # of Fixture: taps and drains
+    colours: np.ndarray | None = None  # of the sand, (H, W) uint8, not writable; None where all of it is amber
     shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
 
     @property
@@ -51,7 +52,7 @@ class Scene:
 
     def world(self, seed=0):
         """Return a new World with the scene's cells, at iteration 0."""
-        world = World.from_cells(self.sand, self.walls, seed)
+        world = World.from_cells(self.sand, self.walls, seed, self.colours)
         world.fixtures = self.fixtures
         return world
 
@@ -68,14 +69,14 @@ def load_scene(name_or_path, size=None):
     table.allow(KEYS)
     rule = _rule(table.table("rule"))
     cells, own_size = _cells(table, path.parent, size)
-    sand, walls = cells == SAND, cells == WALL
-    sand.flags.writeable = walls.flags.writeable = False
+    sand, walls, colours = parted(cells)
     return Scene(
         name=path.stem,
         title=table.line("title", path.stem),
         notice=table.line("notice", ""),
         sand=sand,
         walls=walls,
+        colours=colours,
         rule=rule,
         speed=table.number("speed", knob.SPEED, knob.SPEED.default),
         cell=table.number("cell", knob.CELL, knob.CELL.default),

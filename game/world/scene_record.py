@@ -8,6 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from game.core.planes import DEPTH
 from game.world import fixture, knob
 from game.world.colours import WALL_LOOKS
 from game.world.rule import FIELDS, SCHEDULES, Rule
@@ -15,14 +16,14 @@ from game.world.scene import Scene, load_scene, scene_names
 from game.world.table import shown
 
 SHIPPED = ("name", "size", "start")
-EMBEDDED = ("name", "title", "notice", "size", "cells", "walls", "rule", "speed", "cell", "fixtures")
+EMBEDDED = ("name", "title", "notice", "size", "cells", "colours", "walls", "rule", "speed", "cell", "fixtures")
 
 
 def start_digest(scene):
     """Return 16 hex digits that name a scene's size, cells, rule and fixtures."""
     digest = hashlib.blake2b(f"{scene.shape} {scene.rule.as_dict()} ".encode(), digest_size=8)
     digest.update("".join(f"{each} " for each in scene.fixtures).encode())
-    for cells in (scene.sand, scene.walls):
+    for cells in (scene.sand, scene.walls, *_bits(scene.colours)):
         digest.update(np.packbits(cells).tobytes())
     return digest.hexdigest()
 
@@ -36,13 +37,13 @@ def encode(scene, known):
     size = list(scene.shape[::-1])
     if scene.shipped:
         return {"name": scene.name, "size": size, "start": start}
-    bits = np.packbits(scene.sand).tobytes() + np.packbits(scene.walls).tobytes()
     return {
         "name": scene.name,
         "title": scene.title,
         "notice": scene.notice,
         "size": size,
-        "cells": base64.b64encode(zlib.compress(bits, 9)).decode(),
+        "cells": _packed((scene.sand, scene.walls)),
+        **({"colours": _packed(_bits(scene.colours))} if scene.colours is not None else {}),
         "walls": scene.made_of,
         "rule": scene.rule.as_dict(),
         "speed": scene.speed,
@@ -95,13 +96,17 @@ def _load(name, size):
 def _embedded(table):
     table.allow(EMBEDDED)
     width, height = _size(table)
-    sand, walls = _cells(table, width, height)
+    sand, walls = _unpacked(table, "cells", width, height, 2)
+    wanted = f"{width}×{height} cells that are sand or wall, not both"
+    if (sand & walls).any():
+        raise table.error("cells", "a cell that is both", wanted)
     return Scene(
         name=table.line("name", "scene"),
         title=table.line("title", ""),
         notice=table.line("notice", ""),
         sand=sand,
         walls=walls,
+        colours=_colours(table, sand) if "colours" in table else None,
         rule=decode_rule(table.table("rule")),
         speed=table.number("speed", knob.SPEED),
         cell=table.number("cell", knob.CELL),
@@ -110,20 +115,42 @@ def _embedded(table):
     )
 
 
-def _cells(table, width, height):
-    """Return sand and walls, (height, width) bool arrays that are not writable."""
+def _colours(table, sand):
+    """Return the colours of the sand, uint8, that the record tells of."""
+    bits = _unpacked(table, "colours", *sand.shape[::-1], DEPTH)
+    colours = sum(plane.view(np.uint8) << bit for bit, plane in enumerate(bits)).astype(np.uint8)
+    if (colours[~sand] > 0).any():
+        raise table.error("colours", "a colour where there is no sand", "colours of the sand in cells")
+    colours.flags.writeable = False
+    return colours
+
+
+def _bits(colours):
+    """Return the bits of colours as (H, W) bool arrays, the lowest first; none where there are no colours."""
+    return () if colours is None else [(colours >> bit & 1).astype(bool) for bit in range(DEPTH)]
+
+
+def _packed(planes):
+    """Return (H, W) bool arrays as text."""
+    bits = b"".join(np.packbits(plane).tobytes() for plane in planes)
+    return base64.b64encode(zlib.compress(bits, 9)).decode()
+
+
+def _unpacked(table, key, width, height, number):
+    """Return the (height, width) bool arrays, not writable, that the text at `key` holds, so many of them."""
     length = -(-width * height // 8)  # bytes
-    wanted = f"{2 * length} bytes, packed, of {width}×{height} cells that are sand or wall, not both"
+    wanted = f"{number * length} bytes, packed, of {number} bits for each of {width}×{height} cells"
     unpacker = zlib.decompressobj()
     try:
-        bits = unpacker.decompress(base64.b64decode(table.values["cells"], validate=True), 2 * length + 1)
+        bits = unpacker.decompress(base64.b64decode(table.values[key], validate=True), number * length + 1)
     except (TypeError, ValueError, binascii.Error, zlib.error):
-        raise table.error("cells", "damaged ones", wanted) from None
-    if len(bits) != 2 * length or not unpacker.eof:
-        raise table.error("cells", "another number of them", wanted)
-    both = [np.frombuffer(part, np.uint8) for part in (bits[:length], bits[length:])]
-    sand, walls = (np.unpackbits(part, count=width * height).reshape(height, width).view(np.bool_) for part in both)
-    if (both[0] & both[1]).any():
-        raise table.error("cells", "a cell that is both", wanted)
-    sand.flags.writeable = walls.flags.writeable = False
-    return sand, walls
+        raise table.error(key, "damaged ones", wanted) from None
+    if len(bits) != number * length or not unpacker.eof:
+        raise table.error(key, "another number of them", wanted)
+    planes = []
+    for start in range(0, number * length, length):
+        part = np.frombuffer(bits[start : start + length], np.uint8)
+        plane = np.unpackbits(part, count=width * height).reshape(height, width).view(np.bool_)
+        plane.flags.writeable = False
+        planes.append(plane)
+    return planes

@@ -5,7 +5,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from game.world import region
-from game.world.drawing import MATERIALS, SAND, WALL
+from game.world.drawing import EMPTY, MATERIALS, SANDS, WALL
+from game.world.dyes import AMBER
+from game.world.dyes import COLOURS as DYES
 from game.world.glass import CURVE, FILL, NECK, THICKNESS, hourglass
 from game.world.knob import SIDE, Knob
 from game.world.table import Table
@@ -16,6 +18,7 @@ PICK = Knob("seed", 0, 0, 2**31, "", "picks one of the possible patterns", whole
 SHARE = Knob("share", 1.0, 0.0, 1.0, "", "part of the places that are taken")
 LENGTH = Knob("length", 1.0, 0.01, SIDE.high, "cells", "the size of a shape, or of a part of it")
 BOX = ("x", "y", "width", "height")  # a shape's left, top and size; left out, the whole scene
+DYE = "dye"  # what is no material: it gives sand another colour and leaves the rest
 BAND = 128  # rows painted at a time: bounds the memory that painting takes on the largest lattice
 
 
@@ -62,9 +65,12 @@ def _paint_once(cells, kind, table, scale):
         _paint_hourglass(cells, table, scale)
         return
     keys, described = KINDS[kind]
-    table.allow(("kind", "material", *keys))
-    material = MATERIALS[table.choice("material", tuple(MATERIALS))]
-    _paint_region(cells, described(table, scale), material, scale)
+    table.allow(("kind", "material", "colour", *keys))
+    name = table.choice("material", (*MATERIALS, DYE))
+    if "colour" in table and name not in ("sand", DYE):
+        raise table.error("colour", f"it beside {name}", f"it only beside sand or {DYE}")
+    material = _sand(table) if name in ("sand", DYE) else MATERIALS[name]
+    _paint_region(cells, described(table, scale), material, scale, only_sand=name == DYE)
 
 
 def middle_of_glass(table, height):
@@ -74,8 +80,13 @@ def middle_of_glass(table, height):
     return table.number("y", PLACE, 0.0) + table.number("height", LENGTH, height) / 2
 
 
-def _paint_region(cells, shape, material, scale):
-    """Give `material` to the cells whose centres the region holds, in place."""
+def _sand(table):
+    """Return the material that is sand of the colour that the table names."""
+    return SANDS[DYES.index(table.choice("colour", DYES, AMBER))]
+
+
+def _paint_region(cells, shape, material, scale, only_sand):
+    """Give `material` to the cells whose centres the region holds, or to those of them that are sand, in place."""
     height, width = cells.shape
     left, right = (int(np.clip(x * scale.x, 0, width)) for x in (shape.left, shape.right + 1 / scale.x))
     top, bottom = (int(np.clip(y * scale.y, 0, height)) for y in (shape.top, shape.bottom + 1 / scale.y))
@@ -84,11 +95,13 @@ def _paint_region(cells, shape, material, scale):
         rows = slice(first, min(first + BAND, bottom))
         y = (np.arange(rows.start, rows.stop) + 0.5) / scale.y
         with np.errstate(all="ignore"):  # a point a hair from the next one makes an endless slope, and that is right
-            cells[rows, left:right][shape.inside(x, y[:, None])] = material
+            held = shape.inside(x, y[:, None])
+        part = cells[rows, left:right]
+        part[held & (part != EMPTY) & (part != WALL) if only_sand else held] = material
 
 
 def _paint_hourglass(cells, table, scale):
-    table.allow(("kind", *BOX, "neck", "curve", "wall", "fill"))
+    table.allow(("kind", *BOX, "neck", "curve", "wall", "fill", "colour"))
     x, y, width, height = _box(table, scale)
     for key, low, size, most in (("width", x, width, scale.width), ("height", y, height, scale.height)):
         if low < 0 or low + size > most:
@@ -103,7 +116,7 @@ def _paint_hourglass(cells, table, scale):
     except ValueError:
         raise table.error("width", f"{right - left}×{bottom - top} cells", "at least 5×5 for an hourglass") from None
     box = cells[top:bottom, left:right]
-    box[sand], box[walls] = SAND, WALL
+    box[sand], box[walls] = _sand(table), WALL
 
 
 def _rectangle(table, scale):

@@ -9,8 +9,11 @@ from game.core import planes as bit_planes
 from game.core.brush import stroke
 from game.core.figures import figure
 from game.core.flood import flood, kind_of
+from game.core.ink import EMPTY, GRAIN, RAINBOW, Ink, by_colour
 from game.world import knob
 from game.world.activity import Activity
+
+RAINBOW_PACE = 192  # iterations until the rainbow's stripes have changed by one colour
 
 
 class World:
@@ -92,10 +95,11 @@ class World:
 
     def turned(self, quarters):
         """Return the world after so many quarter turns, clockwise: a new one, its height and width exchanged if odd."""
-        sand, walls = (np.ascontiguousarray(np.rot90(cells, -quarters)) for cells in (self.sand, self.walls))
-        layout = bit_planes.layout(*sand.shape)
+        cells = (self.sand, self.walls, self.colours) if self.coloured else (self.sand, self.walls)
+        cells = [np.ascontiguousarray(np.rot90(each, -quarters)) for each in cells]
+        layout = bit_planes.layout(*cells[0].shape)
         fixtures = tuple(each.turned(quarters, self.shape) for each in self.fixtures)
-        return World(bit_planes.pack(sand, walls), layout, self.iteration, self.seed, fixtures)
+        return World(bit_planes.pack(*cells), layout, self.iteration, self.seed, fixtures)
 
     def drop_fixtures(self, reached):
         """Take away the fixtures of which reached(column, row) is true for any cell, in place."""
@@ -109,32 +113,51 @@ class World:
         self.activity.wake()
 
     def stroke(self, start, end, diameter, shape, ink):
-        """Let the cells take `ink` that a brush comes over from a place (column, row) to another; return the change.
+        """Let the cells take `ink` that a brush comes over from a place (column, row) to another.
 
-        diameter: in cells. shape: `ROUND`, `SQUARE` or `DIAMOND` of `core.brush`. The change is in grains.
+        diameter: in cells. shape: `ROUND`, `SQUARE` or `DIAMOND` of `core.brush`. Return the change in the grains of
+        each colour, a tuple of eight.
         """
-        where, radius = self.layout, diameter / 2
+        where, radius, ink = self.layout, diameter / 2, self.mixed(ink)
         rows = start[1], end[1]
         self.activity.wake(math.floor(min(rows) - radius) - 1, math.ceil(max(rows) + radius) + 2)
-        return stroke(self.planes, where.height, where.width, where.words, *start, *end, radius, shape, ink)
+        change = stroke(self.planes, where.height, where.width, where.words, *start, *end, radius, shape, ink)
+        return by_colour(change, ink)
 
     def figure(self, kind, box, edge, ink):
         """Let the cells of a figure take `ink`, or those up to `edge` cells from its outline, 0 for all.
 
         kind: `RECTANGLE` or `ELLIPSE` of `core.figures`. box: first column and row, then those after the last. Return
-        the change in grains.
+        the change in the grains of each colour, a tuple of eight.
         """
-        where = self.layout
+        where, ink = self.layout, self.mixed(ink)
         self.activity.wake(box[1] - 1, box[3] + 1)
-        return figure(self.planes, where.height, where.width, where.words, kind, *box, edge, ink)
+        change = figure(self.planes, where.height, where.width, where.words, kind, *box, edge, ink)
+        return by_colour(change, ink)
 
     def fill(self, column, row, ink):
-        """Let a cell take `ink`, and all connected with it through cells of its kind; return the change in grains."""
+        """Let a cell take `ink`, and all connected with it through cells of its kind.
+
+        Return the change in the grains of each colour, a tuple of eight.
+        """
         if self.kind_at(column, row) is None:
-            return 0
+            return by_colour(0, Ink(EMPTY))
+        ink = self.mixed(ink)
         change, top, bottom = flood(self.planes, self.layout, column, row, ink)
         self.activity.wake(top - 1, bottom + 1)
-        return change
+        return by_colour(change, ink)
+
+    def mixed(self, ink):
+        """Return the ink as acts on this world take it: with room to count colours, or without a colour.
+
+        The first coloured ink gives the world its planes of colours.
+        """
+        if ink.colour and ink.material == GRAIN and not self.coloured:
+            self.planes = bit_planes.with_colours(self.planes, self.layout)
+        if not self.coloured:
+            return ink._replace(colour=None, tally=None)
+        first = self.iteration // RAINBOW_PACE % RAINBOW if ink.colour == RAINBOW else 0
+        return ink._replace(colour=ink.colour + first, tally=np.zeros(RAINBOW, np.int64))
 
     def kind_at(self, column, row):
         """Return the kind of a cell, `EMPTY`, `GRAIN` or `WALL` of `core.ink`; None outside of the lattice."""

@@ -10,14 +10,20 @@ from hypothesis import strategies as st
 from game import World
 from game.core.brush import DIAMOND, ROUND, SQUARE
 from game.core.figures import ELLIPSE, RECTANGLE
-from game.core.ink import ANY, EMPTY, GRAIN, WALL, Ink
+from game.core.ink import ANY, EMPTY, GRAIN, RAINBOW, WALL, Ink
 from tests.cells import random_world
 
 steady = settings(derandomize=True, deadline=None, max_examples=60)
 HEIGHT, WIDTH = 23, 147
 places = st.tuples(st.floats(-6, WIDTH + 6), st.floats(-6, HEIGHT + 6))
 columns, rows = st.integers(-5, WIDTH + 5), st.integers(-5, HEIGHT + 5)
-inks = st.builds(Ink, st.sampled_from((EMPTY, GRAIN, WALL)), st.integers(0, ANY), st.integers(0, 2))
+inks = st.builds(
+    Ink,
+    material=st.sampled_from((EMPTY, GRAIN, WALL)),
+    kinds=st.integers(0, ANY),
+    spray=st.integers(0, 2),
+    colour=st.integers(0, RAINBOW),
+)
 
 REACH = {  # how far a point is from the middle of a brush, as its shape counts
     ROUND: np.hypot,
@@ -101,7 +107,7 @@ def test_a_fill_reaches_what_is_connected_side_by_side(number, column, row, crow
 @given(inks, places, places)
 def test_only_the_kinds_named_take_the_ink(ink, start, end):
     world, before = strewn(), kinds_of(strewn())
-    change = world.stroke(start, end, 9, ROUND, ink)
+    change = sum(world.stroke(start, end, 9, ROUND, ink))
     after = kinds_of(world)
     reached = reached_by(lambda world, full: world.stroke(start, end, 9, ROUND, full))
     takes = reached & (ink.kinds >> before & 1).astype(bool)

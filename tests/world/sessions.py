@@ -19,25 +19,31 @@ from game.world.action import (
     Turn,
     apply,
 )
+from game.world.dyes import DYES
 from game.world.fixture import Fixture
 from game.world.history import WAIT
 from game.world.rule import SCHEDULES
 from game.world.scene import Scene
 from game.world.session import Session
-from tests.cells import random_world
+from tests.cells import coloured, random_world
 
 
 def scene_of(number, height=24, width=30):
-    """Return a small scene strewn at random."""
-    world = random_world(np.random.default_rng(number), height, width)
+    """Return a small scene strewn at random, with colours where the number is odd."""
+    generator = np.random.default_rng(number)
+    world = random_world(generator, height, width)
+    colours = coloured(world, generator).colours if number % 2 else None
     rule = Rule.with_p((1.0, 0.5)[number % 2], "balanced")
-    return Scene(f"scene{number}", f"Scene {number}", "", world.sand, world.walls, rule, 100.0 + number, 4)
+    return Scene(
+        f"scene{number}", f"Scene {number}", "", world.sand, world.walls, rule, 100.0 + number, 4, colours=colours
+    )
 
 
 SCENES = [scene_of(0), scene_of(1), scene_of(2, 9, 140)]
 places = st.tuples(st.floats(-4, 34), st.floats(-4, 28))
 chances = st.sampled_from((0.0, 0.25, 0.7, 1.0))
 materials = st.sampled_from(sorted(MATERIALS))
+dyes = st.sampled_from(DYES)
 paints = st.builds(Paint, materials, places, places, st.integers(1, 9), st.booleans())
 shaped = st.builds(
     Paint,
@@ -48,9 +54,11 @@ shaped = st.builds(
     shape=st.sampled_from(sorted(SHAPES)),
     only=st.sampled_from(("", *KINDS)),
     spray=st.integers(0, 3),
+    colour=dyes,
 )
-draws = st.builds(Draw, st.sampled_from(("rectangle", "ellipse")), materials, places, places, st.integers(0, 3))
-fills = st.builds(Fill, materials, places)
+figures = st.sampled_from(("rectangle", "ellipse"))
+draws = st.builds(Draw, figures, materials, places, places, st.integers(0, 3), colour=dyes)
+fills = st.builds(Fill, materials, places, dyes)
 fixtures = st.builds(
     Fixture,
     st.sampled_from(("tap", "drain")),

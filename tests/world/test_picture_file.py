@@ -12,6 +12,7 @@ from game import Rule
 from game.world import saving
 from game.world.action import Load
 from game.world.drawing import COLOURS
+from game.world.dyes import DYED
 from game.world.picture_file import CHUNK, PictureError, load_picture, save_picture
 from game.world.session import Session
 from tests.world.sessions import SCENES, played, plays
@@ -40,15 +41,17 @@ def test_a_saved_picture_is_the_scene(tmp_path, play):
     session.clock.speed = 321.0
     scene, seed = load_picture(saved(tmp_path, session))
     assert (scene.sand == session.world.sand).all() and (scene.walls == session.world.walls).all()
+    assert (scene.world().colours == session.world.colours).all()
     assert (scene.rule, seed, scene.speed) == (session.rule, session.seed, 321.0)
     assert (scene.title, scene.notice, scene.cell) == (session.scene.title, session.scene.notice, session.scene.cell)
 
 
-def test_a_picture_shows_the_cells_in_three_colours(tmp_path):
+def test_a_picture_shows_the_cells_and_the_colours_of_the_sand(tmp_path):
     world = SCENES[1].world()
     pixels = np.asarray(Image.open(saved(tmp_path)).convert("RGB"))
-    kinds = np.where(world.walls, 2, np.where(world.sand, 1, 0))
-    assert (pixels == np.array(COLOURS, np.uint8)[kinds]).all()
+    dyed = np.array(list(DYED.values()), np.uint8)[world.colours]
+    plain = np.array(COLOURS, np.uint8)[np.where(world.walls, 2, 0)]
+    assert (pixels == np.where(world.sand[..., None], dyed, plain)).all()
 
 
 def test_a_loaded_picture_plays(tmp_path):
@@ -61,9 +64,10 @@ def test_a_loaded_picture_plays(tmp_path):
 
 @pytest.mark.parametrize("name", ["x.png", "x.bmp", "x.gif", "x.webp"])
 def test_cells_survive_a_paint_program_that_drops_the_settings(tmp_path, name):
-    Image.open(saved(tmp_path)).convert("RGB").quantize(8).save(tmp_path / name, lossless=True, pnginfo=PngInfo())
+    Image.open(saved(tmp_path)).convert("RGB").quantize(16).save(tmp_path / name, lossless=True, pnginfo=PngInfo())
     scene, seed = load_picture(tmp_path / name)
     assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
+    assert (scene.colours == SCENES[1].colours).all()
     assert seed == 0 and scene.rule == Rule.with_p(0.75, "balanced") and scene.name == "x"
 
 

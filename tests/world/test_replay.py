@@ -161,7 +161,8 @@ def test_any_edit_is_noticed_and_what_is_before_it_kept():
         ({"to": [1, 10**400]}, "to.y: found a huge number"),
         ({"over_walls": 1}, "over_walls: found 1, wanted true or false"),
         ({"join": "yes"}, "join: found 'yes'"),
-        ({"colour": 3}, "colour: found an unknown key"),
+        ({"colour": 3}, "colour: found 3, wanted one of amber"),
+        ({"hue": 3}, "hue: found an unknown key"),
     ],
 )
 def test_bad_values_are_named(edit, words):

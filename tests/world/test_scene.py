@@ -289,9 +289,18 @@ PICTURE = "a PNG, GIF, BMP, JPEG, WEBP of at most 67108864 pixels and 16384 a si
         ("cells = 3", 'cells: found 3, wanted rows of characters . o # between """'),
         ("cells = ''", f"cells: found 0 columns, wanted {SIDE}"),
         ("cells = '''\n..\n...\n'''", "cells: found 3 characters in row 2, wanted 2 as in row 1"),
-        ("cells = '''\n..\n.x\n'''", "cells: found 'x' in row 2, column 2, wanted only . (empty), o (sand), # (wall)"),
-        ("cells = '''\n..\n .\n'''", "cells: found ' ' in row 2, column 1, wanted only . (empty), o (sand), # (wall)"),
-        ("cells = '.é'", "cells: found 'é' in row 1, column 2, wanted only . (empty), o (sand), # (wall)"),
+        (
+            "cells = '''\n..\n.x\n'''",
+            "cells: found 'x' in row 2, column 2, wanted only . (empty), o (sand), # (wall), 1 to 7 (sand of a colour)",
+        ),
+        (
+            "cells = '''\n..\n .\n'''",
+            "cells: found ' ' in row 2, column 1, wanted only . (empty), o (sand), # (wall), 1 to 7 (sand of a colour)",
+        ),
+        (
+            "cells = '.é'",
+            "cells: found 'é' in row 1, column 2, wanted only . (empty), o (sand), # (wall), 1 to 7 (sand of a colour)",
+        ),
         (f"cells = '{'.' * 16385}'", f"cells: found 16385 columns, wanted {SIDE}"),
         ("cells = '..'\nwidth = 3", "width: found 3, wanted 2 as in cells, or to leave it out"),
         ("cells = '.'\npicture = 'a.png'", "picture: found it beside cells, wanted only one of cells, picture, shape"),
@@ -304,7 +313,7 @@ PICTURE = "a PNG, GIF, BMP, JPEG, WEBP of at most 67108864 pixels and 16384 a si
         (f"{SIZE}[[shape]]\nkind = 'disc'", f"shape 1.kind: found 'disc', wanted one of {KINDS}"),
         (
             f"{SIZE}[[shape]]\nkind = 'ellipse'",
-            "shape 1 (ellipse).material: found nothing, wanted one of empty, sand, wall",
+            "shape 1 (ellipse).material: found nothing, wanted one of empty, sand, wall, dye",
         ),
         (
             f"{SIZE}[[shape]]\nkind = 'hourglass'\n[[shape]]\nkind = 'line'\nmaterial = 'wall'",
@@ -333,7 +342,7 @@ PICTURE = "a PNG, GIF, BMP, JPEG, WEBP of at most 67108864 pixels and 16384 a si
         (
             f"{SIZE}[[shape]]\nkind = 'hourglass'\nmaterial = 'wall'",
             "shape 1 (hourglass).material: found an unknown key, "
-            "wanted one of kind, x, y, width, height, neck, curve, wall, fill",
+            "wanted one of kind, x, y, width, height, neck, curve, wall, fill, colour",
         ),
         (f"{SIZE}[[shape]]\nkind = 'hourglass'\nfill = 2", "shape 1 (hourglass).fill: found 2, wanted in [0, 1]"),
     ],

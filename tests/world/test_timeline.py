@@ -258,7 +258,7 @@ def test_distances_between_snapshots_grow_with_age(monkeypatch):
     monkeypatch.setattr(timelines, "SPACING_NS", 0)
     monkeypatch.setattr(timelines, "SLICE_NS", 1)
     monkeypatch.setattr(timelines, "SHARE", 0)
-    session = Session(SCENES[1])
+    session = Session(SCENES[0])
     monkeypatch.setattr(session.timeline.moment, "run", lambda some: _steadily(session, some))
     session.timeline.run(2000)
     kept = sorted(each.now for each in session.timeline.shelf._kept)
