@@ -45,6 +45,11 @@ class Account:
 
     @property
     def expected(self):
+        """How many grains there must be now."""
+        return sum(self.expected_by_colour)
+
+    @property
+    def expected_by_colour(self):
         """How many grains of each colour there must be now."""
         came = added(added(self.start_by_colour, self.painted_by_colour), self.poured_by_colour)
         gone = added(self.erased_by_colour, self.swallowed_by_colour)
@@ -77,4 +82,4 @@ class Account:
 
     def balanced(self, world):
         """Return whether `world` holds the grains that it must, of each colour: none was made or lost on the way."""
-        return world.grains_by_colour == self.expected
+        return world.grains_by_colour == self.expected_by_colour
