@@ -2,12 +2,15 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
-from game import Rule, advance
+from game import Rule, advance, load_scene
+from game.core.decor import decorate
 from game.core.pixels import AIR, GRAIN, SHADES, SURFACE, TEXTURE, WALL
 from game.world import light
-from game.world.action import MATERIALS, Paint, apply
-from game.world.colours import NIGHT, palette
+from game.world.action import MATERIALS, Flip, Paint, apply
+from game.world.colours import DAY, NIGHT, palette
 from game.world.picture import Painter, texture
 from game.world.view import View
 from tests.cells import random_world
@@ -31,6 +34,50 @@ def test_every_pixel_has_the_colour_of_its_cell(shape, cell):
     wanted = np.full((height, width), 7, np.uint32)
     wanted[4 : 4 + view.height, 3 : 3 + view.width] = colours.repeat(cell, axis=0).repeat(cell, axis=1)
     assert (drawn(world, view, height, width) == wanted).all()
+
+
+@settings(max_examples=60, deadline=None)
+@given(st.integers(1, 20), st.integers(1, 300), st.integers(0, 2**32), st.floats(0, 1), st.floats(0, 1))
+def test_every_neighbourhood_looks_as_its_plain_twin_says(height, width, seed, sand, walls):
+    world = random_world(np.random.default_rng(seed), height, width, sand=sand, walls=(1 - sand) * walls)
+    places = np.zeros(world.shape, np.uint8)
+    decorate(world.walls.view(np.uint8), places)
+    rows, columns = np.mgrid[0:height, 0:width] % TEXTURE
+    view, pixels = View(world.shape, 0, 0, width, height), np.zeros(world.shape, np.uint32)
+    for made_of, decor in (("stone", None), ("glass", places)):
+        Painter(view, DAY, made_of).draw(world, pixels)
+        looks = looks_of(world.sand, world.walls, decor)
+        assert (pixels == palette(DAY, made_of)[looks, texture()[rows, columns]]).all()
+
+
+def test_a_glass_that_is_broken_and_mended_is_drawn_anew_as_a_whole():
+    scene = load_scene("hourglass")
+    world, (height, width) = scene.world(), scene.shape
+    view, pixels, whole = View(world.shape, 0, 0, width, height), *np.zeros((2, height, width), np.uint32)
+    painter, rule = Painter(view, walls="glass"), Rule()
+    acts = [Paint(material, (20.0, 200.0), (60.0, 200.0), 3, over_walls=True) for material in ("erase", "wall", "sand")]
+    shown = []
+    for act in (None, *acts, Flip()):
+        if act:
+            apply(act, world, rule)
+        painter.draw(world, pixels)
+        Painter(view, walls="glass").draw(world, whole)
+        assert (pixels == whole).all()
+        shown.append(pixels[30, 90])
+    assert shown[1] != shown[0] == shown[2], "the air in it is no longer that of a glass"
+
+
+def test_sand_at_rest_does_not_flicker():
+    scene = load_scene("hourglass", (90, 120))
+    world, rule = scene.world(), Rule.with_p(1, "balanced")
+    advance(world, rule, 20_000)
+    assert world.activity.settled
+    view, pictures = View(world.shape, 0, 0, 90, 120), []
+    for _ in range(9):
+        pictures.append(np.zeros(world.shape, np.uint32))
+        Painter(view, walls="glass").draw(world, pictures[-1])
+        advance(world, rule, 1)
+    assert all((each == pictures[0]).all() for each in pictures)
 
 
 def test_all_shades_are_used_about_equally():
