@@ -26,13 +26,12 @@ def _add(digits, ones):
 @gate
 def _stack(planes, stride, word, parity, top, bottom, digits):
     """Count the grains that rest in the rows from `bottom` - 1 up to `top`, in the columns of one word."""
-    standing = _FULL
+    standing, resting = _FULL, _ZERO
     for y in range(bottom - 1, top - 1, -1):
         plane, at = 2 * (y & 1) + parity, (y >> 1) * stride + word
-        sand = planes[SAND + plane, at]
-        standing &= sand | planes[WALLS + plane, at]
-        if standing == _ZERO:
-            break
+        sand, walls = planes[SAND + plane, at], planes[WALLS + plane, at]
+        standing = (standing & (sand | walls)) | (walls & ~resting)
+        resting |= standing & sand
         _add(digits, standing & sand)
 
 
@@ -49,7 +48,7 @@ def _number(digits, lane):
 def stack_heights(planes, stride, words, top, bottom, heights):
     """Write how many grains rest on the ground in each column, in rows `top` … `bottom` - 1, to (W,) int64 `heights`.
 
-    The ground is the row `bottom` and the walls that rise from it; sand above a gap is left out.
+    The ground is the row `bottom`, or the highest wall below the lowest sand on a wall; sand above a gap is left out.
     """
     width = len(heights)
     digits = np.empty(DIGITS, np.uint64)

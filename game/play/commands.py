@@ -5,6 +5,7 @@ from game.play.timer import RUNNING
 from game.play.tools import SIZES
 from game.world import knob
 from game.world.action import Clear, Load
+from game.world.comparison import Comparison, present
 from game.world.duration import spell_left
 
 FASTER = 2**0.5  # what one press of + does to the speed
@@ -202,6 +203,18 @@ class Commands:
     def toggle_sound(self):
         """Let the sand be heard, or not."""
         self.toy.hiss.toggle()
+
+    def compare(self):
+        """Show this world under all three schedules, from now on; again, go back to it as it was."""
+        toy = self.toy
+        if isinstance(toy.session, Comparison):
+            toy.leave_session()
+        elif toy.is_there():
+            session = Comparison(present(toy.session), toy.session.seed)
+            session.paused = toy.session.paused
+            toy.recovery.begin(session, [])
+            toy.open_session(session, keep=True)
+            toy.notices.say("The same sand under three schedules. Shift+H goes back.")
 
     def toggle_fullscreen(self):
         """Fill the screen, or go back."""

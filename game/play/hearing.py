@@ -17,7 +17,7 @@ class Hearing:
 
     def hear(self, event):
         """Let the part that an event is meant for act on it."""
-        toy = self._toy
+        toy, event = self._toy, self._toy.stage.own(event)
         if event.type == pygame.QUIT:
             toy.running = False
         elif any(each.hear(event) for each in self.first):
@@ -46,7 +46,7 @@ class Hearing:
     def follow(self, mouse_pos):
         """Note where the pointer is in this frame."""
         over_sand = mouse_pos is not None and self._toy.layout.sand.collidepoint(mouse_pos)
-        self.pointer = mouse_pos if over_sand or self._toy.brush.painting else None
+        self.pointer = self._toy.stage.here(mouse_pos) if over_sand or self._toy.brush.painting else None
 
     def _hear_pointer(self, event):
         """Give an event of the pointer to the brush or the time bar, whichever it is over or held by."""

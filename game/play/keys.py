@@ -42,6 +42,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("R", (pygame.K_r,), "restart", "start the scene again"),
         Key("C", (pygame.K_c,), "clear", "take all sand away"),
         Key("H", (pygame.K_h,), "toggle_forecast", "where it will be"),
+        Key("Shift+H", (pygame.K_h,), "compare", "three schedules at once", SHIFT),
         Key("L", (pygame.K_l,), "toggle_plots", "plots (Shift: save as CSV)"),
         Key("", (pygame.K_l,), "save_measures", "", SHIFT),
     ),

@@ -41,7 +41,7 @@ class Legend:
     def draw(self, surface, theme, area):
         """Draw the card, where there is room for it."""
         px, line = theme.px, theme.line_height(look.SMALL)
-        rect = pygame.Rect(area.x + px(AWAY), area.y + px(AWAY), px(WIDTH), 0)
+        rect = pygame.Rect(area.x + px(AWAY), self._toy.stage.area.y + px(AWAY), px(WIDTH), 0)
         rect.height = 2 * px(PAD) + px(24) + px(BAR) + line + px(4) + line * len(self._lines[1:])
         if rect.right + px(AWAY) > area.right or 2 * rect.height > area.height:
             return

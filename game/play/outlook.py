@@ -3,6 +3,7 @@
 from dataclasses import replace
 
 from game.world import knob
+from game.world.comparison import Comparison
 
 
 def show(ui, toy):
@@ -14,6 +15,15 @@ def show(ui, toy):
         forecasting.toggle()
     if forecasting.shown:
         forecasting.ahead = ui.slider("Ahead", knob.AHEAD, forecasting.ahead, log=True, tip="Iterations from now")
+    comparing = isinstance(toy.session, Comparison)
+    tip = "The sand as it is under Margolus, Paper and Balanced; what is done to one is done to all"
+    if ui.button("Back to one schedule" if comparing else "Three schedules", key="Shift+H", name="Compare", tip=tip):
+        toy.commands.compare()
+    if comparing:
+        ui.text(
+            "Each world keeps its own schedule. Replays, saving, plots and forecast follow the bright title.",
+            dim=True,
+        )
     tip = "Flow and filling at a row, the pile below it, frame times, and the audit of the grains  (L)"
     if ui.toggle("Plots", plots.shown, tip=tip) != plots.shown:
         toy.commands.toggle_plots()

@@ -157,10 +157,11 @@ class Plots:
     def _frames(self, rect):
         samples = self._watch.samples
         strokes, room = charts.card(self._toy.theme, rect, "Slowest frame", f"{samples[-1].frame_ms:.1f} ms")
-        budget = BUDGET_NS / 1e6
-        strokes.append((paint.fill, (room.x, room.y, room.width, self._toy.theme.px(1)), look.GROOVE))
-        numbers = [each.frame_ms for each in samples]
-        return strokes + charts.curves(room, [each.seconds for each in samples], [(numbers, look.DIM)], 0, budget)
+        numbers, budget = [each.frame_ms for each in samples], BUDGET_NS / 1e6
+        high = max(budget, *numbers)
+        level = room.bottom - 1 - round(budget / high * (room.height - 1))
+        strokes.append((paint.fill, (room.x, level, room.width, self._toy.theme.px(1)), look.EDGE))
+        return strokes + charts.curves(room, [each.seconds for each in samples], [(numbers, look.DIM)], 0, high)
 
     def _audit(self, rect):
         session = self._toy.session

@@ -35,6 +35,14 @@ class Stage:
         self._painter.look_through(view)
         self.refresh()
 
+    def own(self, event):
+        """Return an event as it is meant for this stage: as it is."""
+        return event
+
+    def here(self, pos):
+        """Return the place on this stage that a place in the window stands for: itself."""
+        return pos
+
     def refresh(self):
         """Draw everything next time."""
         self.window.surface.fill(self._theme.colours.ground, self.area)

@@ -21,6 +21,7 @@ from game.play.keeper import Keeper
 from game.play.layout import Layout
 from game.play.mixer import Mixer
 from game.play.notice import Notices
+from game.play.panes import Panes
 from game.play.photo import PhotoCard
 from game.play.planner import Planner
 from game.play.plots import Plots
@@ -37,6 +38,7 @@ from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
 from game.world.action import Flip, Load, SetRule, Turn
 from game.world.colours import THEMES
+from game.world.comparison import Comparison
 from game.world.rule import Rule
 from game.world.scene import load_scene, scene_title
 from game.world.session import Session
@@ -153,9 +155,9 @@ class Toy:
         self.do(Load(scene, seed))
         self.lay_out_anew()
 
-    def open_session(self, session):
-        """Play another session, and keep this one behind it if anything was done in it."""
-        if self.session.timeline.history.line.before is not None or self._former:
+    def open_session(self, session, keep=False):
+        """Play another session, and keep this one behind it if it is asked for or anything was done in it."""
+        if keep or self.session.timeline.history.line.before is not None or self._former:
             self._former.append(self.session)
         else:
             self.recovery.close(self.session)
@@ -187,8 +189,11 @@ class Toy:
     def _take(self, session):
         session.timeline.memory_mb = self.session.timeline.memory_mb
         self.brush.let_go()
-        self.stage.turn, self.session = None, session
+        self.stage, self.session = self._stage_of(session), session
         self.lay_out_anew()
+
+    def _stage_of(self, session):
+        return Panes(self.window, self, session) if isinstance(session, Comparison) else Stage(self.window)
 
     # --- one frame ---
 

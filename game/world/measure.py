@@ -26,7 +26,7 @@ def flow(world, rule, iterations, row):
 def pile_heights(world, top=0):
     """Return how many grains rest on the ground in each column, (W,) int, below row `top`; falling grains are left out.
 
-    The ground is the lattice's edge and the walls that rise from it.
+    The ground is the lattice's edge, or the wall that carries the lowest sand there is on a wall.
     """
     height, width = world.shape
     heights = np.zeros(width, np.int64)

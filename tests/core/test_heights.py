@@ -9,13 +9,17 @@ from game.world.measure import grains_above, pile_heights
 
 
 def plain_heights(sand, walls, top):
-    """Count from the ground up, cell by cell."""
+    """Count from the ground up, cell by cell; nothing rests on air, and no second pile is begun above a first."""
     heights = np.zeros(sand.shape[1], int)
     for column in range(sand.shape[1]):
+        rests = True
         for row in range(sand.shape[0] - 1, top - 1, -1):
-            if not (sand | walls)[row, column]:
-                break
-            heights[column] += sand[row, column]
+            if walls[row, column]:
+                rests = rests or heights[column] == 0
+            elif sand[row, column]:
+                heights[column] += rests
+            else:
+                rests = False
     return heights
 
 
@@ -28,6 +32,12 @@ def test_piles_are_what_rests_on_the_ground_however_full_the_lattice_is(shape):
         world = World.from_cells(sand, walls)
         for top in {0, 1, shape[0] // 2, shape[0]}:
             assert (pile_heights(world, top) == plain_heights(sand, walls, top)).all()
+
+
+def test_a_glass_that_stands_above_the_edge_has_its_pile():
+    rows = ["#o#", "...", ".o.", "oo.", "###", "..."]
+    cells = np.array([list(row) for row in rows])
+    assert pile_heights(World.from_cells(cells == "o", cells == "#"), 1).tolist() == [1, 2, 0]
 
 
 def test_the_deepest_pile_is_counted_to_the_last_grain():

@@ -1,0 +1,116 @@
+"""The comparison: one world under all three schedules at once, told the same things at the same iterations."""
+
+from dataclasses import replace
+
+from game.world import knob
+from game.world.action import Load, SetRule
+from game.world.rule import SCHEDULES
+from game.world.session import Session
+
+SHARE = len(SCHEDULES)  # of a frame's time and of the memory, each world gets one part in so many
+
+
+class Comparison(Session):
+    """The session of one schedule, which leads, and those of the others, which follow it through all that it does.
+
+    Only the leading one is recorded: the others are a function of it.
+    """
+
+    def __init__(self, scene, seed=0, memory_mb=knob.MEMORY.default):
+        super().__init__(scene, seed, memory_mb)
+        self.schedule = scene.rule.schedule
+        self.others = {
+            schedule: Session(_under(scene, schedule), seed, max(knob.MEMORY.low, memory_mb / SHARE))
+            for schedule in SCHEDULES
+            if schedule != self.schedule
+        }
+
+    @property
+    def sessions(self):
+        """The session of each schedule, by name, in the order of SCHEDULES."""
+        return {each: self if each == self.schedule else self.others[each] for each in SCHEDULES}
+
+    def do(self, action, join=False):
+        """Apply an action to all worlds; a rule that it sets leaves each one its own schedule."""
+        self.keep_up()
+        super().do(_kept(action, self.schedule), join)
+        for schedule, other in self.others.items():
+            other.do(_kept(action, schedule), join)
+
+    def seek(self, now, budget_ns=None):
+        """Go to iteration `now` in all worlds and return whether the leading one is there."""
+        for other in self.others.values():
+            other.timeline.rewinding = self.timeline.rewinding
+            other.seek(now, _part(budget_ns))
+        return super().seek(now, _part(budget_ns))
+
+    def undo(self, back=False, budget_ns=None):
+        """Take back the last act in all worlds; return whether there was one."""
+        self.keep_up()
+        for other in self.others.values():
+            other.undo(back, _part(budget_ns))
+        return super().undo(back, _part(budget_ns))
+
+    def redo(self, back=False, budget_ns=None):
+        """Bring back in all worlds the act undone last or the future left last; return whether there was one."""
+        self.keep_up()
+        for other in self.others.values():
+            other.redo(back, _part(budget_ns))
+        return super().redo(back, _part(budget_ns))
+
+    def frame(self, elapsed_ns, budget_ns=None, due=None):
+        """Run what is due in the leading world, and as much in the others; return by how much that is."""
+        self.streams = None  # the worlds shall look alike
+        done = super().frame(elapsed_ns, _part(budget_ns), due)
+        self.keep_up(None if self.timeline.goal is None else _part(budget_ns))
+        return done
+
+    def step(self):
+        """Run one iteration in all worlds, paused or not."""
+        super().step()
+        self.keep_up()
+
+    def keep_up(self, budget_ns=None):
+        """Bring the others to where the leading one is; with a budget (ns) a long way is left for later."""
+        for other in self.others.values():
+            if other.now != self.now or other.timeline.goal is not None:
+                if other.timeline.goal is None and other.now < self.now:
+                    other.timeline.run(self.now - other.now, budget_ns)
+                else:
+                    other.seek(self.now, budget_ns)
+
+
+def _under(scene, schedule):
+    """Return the scene under a schedule; where that is its own, the scene itself."""
+    if scene.rule.schedule == schedule:
+        return scene
+    return replace(scene, rule=replace(scene.rule, schedule=schedule), shipped=False)
+
+
+def _kept(action, schedule):
+    """Return the action as it is done to the world of a schedule."""
+    if isinstance(action, SetRule):
+        return SetRule(replace(action.rule, schedule=schedule))
+    if isinstance(action, Load):
+        return Load(_under(action.scene, schedule), action.seed)
+    return action
+
+
+def _part(budget_ns):
+    return None if budget_ns is None else budget_ns // SHARE
+
+
+def present(session):
+    """Return the scene that starts as a session's world is now."""
+    world, scene = session.world, session.scene
+    sand, walls = world.sand, world.walls
+    sand.flags.writeable = walls.flags.writeable = False
+    return replace(
+        scene,
+        sand=sand,
+        walls=walls,
+        rule=session.rule,
+        fixtures=world.fixtures,
+        speed=session.clock.speed,
+        shipped=False,
+    )

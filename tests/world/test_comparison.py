@@ -1,0 +1,111 @@
+"""The comparison: three worlds that hear the same and move by their own schedules."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from game import Rule, advance, load_scene
+from game.world.action import Clear, Flip, Load, Paint, SetRule, apply
+from game.world.comparison import Comparison, present
+from game.world.rule import SCHEDULES
+from game.world.session import Session
+
+FRAME_NS = 16_666_667
+
+
+@pytest.fixture
+def three():
+    """Return a Comparison of a small glass."""
+    scene = load_scene("hourglass", (45, 60))
+    return Comparison(replace(scene, rule=Rule.with_p(0.6, "balanced")), seed=9)
+
+
+def digests(comparison):
+    return {each: session.world.digest() for each, session in comparison.sessions.items()}
+
+
+def test_each_world_is_an_advance_of_its_own_rule(three):
+    start = three.world.copy()
+    for _ in range(40):
+        three.frame(FRAME_NS)
+    assert three.now > 50
+    for schedule, session in three.sessions.items():
+        alone = start.copy()
+        advance(alone, Rule.with_p(0.6, schedule), three.now)
+        assert session.world.digest() == alone.digest()
+    assert len(set(digests(three).values())) == 3
+
+
+def test_what_is_done_to_one_is_done_to_all_and_each_keeps_its_schedule(three):
+    acts = [
+        Paint("sand", (22.0, 10.0), (30.0, 12.0), 5),
+        SetRule(Rule(0.3, 0.9, fall_pair=0.5, schedule="margolus")),
+        Flip(),
+        Paint("wall", (5.0, 40.0), (40.0, 40.0), 2),
+        Clear(),
+        Paint("sand", (22.0, 10.0), (22.0, 10.0), 9),
+    ]
+    worlds = {each: (three.world.copy(), Rule.with_p(0.6, each)) for each in SCHEDULES}
+    for act in acts:
+        three.do(act)
+        for _ in range(5):
+            three.frame(FRAME_NS)
+        for schedule, (world, rule) in worlds.items():
+            world, rule = apply(act, world, rule)[:2]
+            rule = replace(rule, schedule=schedule)
+            advance(world, rule, three.now - world.iteration)
+            worlds[schedule] = world, rule
+        assert digests(three) == {each: world.digest() for each, (world, _) in worlds.items()}
+    assert [session.rule.schedule for session in three.sessions.values()] == list(SCHEDULES)
+    assert all(session.account.balanced(session.world) for session in three.sessions.values())
+
+
+def test_undo_rewind_and_redo_take_all_three_along(three):
+    generator = np.random.default_rng(91)
+    story = {}
+    for number in range(12):
+        three.timeline.run(17)
+        three.keep_up()
+        story[three.now] = digests(three)
+        three.do(Flip() if number % 4 == 3 else Paint("sand", (22.0, 8.0), (22.0, 8.0), 1 + number % 5))
+    last = digests(three)
+    assert three.undo()
+    assert digests(three) != last
+    assert three.redo()
+    assert digests(three) == last
+    for now in generator.permutation(list(story)[:-1]):
+        three.seek(int(now) - 1)
+        three.step()
+        three.timeline.rewinding = not three.timeline.rewinding
+        assert all(session.now == now for session in three.sessions.values())
+    three.seek(story_end := list(story)[-1])
+    three.undo()
+    assert digests(three) == story[story_end]
+
+
+def test_those_that_follow_are_never_left_behind_by_a_small_budget(three):
+    for _ in range(30):
+        three.frame(10 * FRAME_NS, budget_ns=3000)
+        assert len({session.now for session in three.sessions.values()}) == 1
+    three.seek(3, budget_ns=3000)
+    while three.timeline.goal is not None:
+        three.frame(FRAME_NS, budget_ns=3000)
+    three.keep_up()
+    assert {session.now for session in three.sessions.values()} == {3}
+
+
+def test_another_scene_is_loaded_under_each_schedule(three):
+    three.do(Load(load_scene("paper"), 3))
+    three.frame(FRAME_NS)
+    assert [session.rule.schedule for session in three.sessions.values()] == list(SCHEDULES)
+    assert {session.scene.title for session in three.sessions.values()} == {"The paper's hourglass"}
+
+
+def test_the_present_is_a_scene_that_starts_where_a_session_is():
+    session = Session(load_scene("hourglass", (45, 60)), seed=4)
+    session.timeline.run(60)
+    session.do(SetRule(Rule.with_p(0.2)))
+    world = present(session).world(4)
+    assert (world.sand == session.world.sand).all() and (world.walls == session.world.walls).all()
+    assert present(session).rule == Rule.with_p(0.2) and present(session).neck == 30
