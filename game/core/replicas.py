@@ -38,14 +38,21 @@ def replicate(sand, walls, seed, first, runs):
     Bits past the last replica hold no sand, so nothing ever happens in them and no count sees them.
     """
     height, width = sand.shape
-    words = -(-runs // BITS)
-    full = np.full(words, 2**64 - 1, np.uint64)
-    full[-1] >>= np.uint64(words * BITS - runs)
+    full = full_words(runs)
+    words = len(full)
     cells = np.zeros((height + 2, width + 2, words), np.uint64)
     fill(cells, sand, full)
     solid = np.ones((height + 2, width + 2), np.uint8)
     solid[1:-1, 1:-1] = walls
     return Replicas(cells, solid, np.ones(solid.shape, np.uint8), word_seeds(np.uint64(seed), first // BITS, words))
+
+
+def full_words(runs):
+    """Return the words of a cell that has sand in each of `runs` replicas: (words,) uint64."""
+    words = -(-runs // BITS)
+    full = np.full(words, 2**64 - 1, np.uint64)
+    full[-1] >>= np.uint64(words * BITS - runs)
+    return full
 
 
 @kernel

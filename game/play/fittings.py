@@ -1,7 +1,6 @@
 """Fittings: how taps and drains are shown, put where the pointer lets go, and moved."""
 
 import math
-from dataclasses import replace
 
 from game.play.marks import Mark, box_outline
 from game.play.ui import theme as look
@@ -26,8 +25,7 @@ class Carry:
         """Carry it to a place."""
         (column, row), (from_column, from_row) = cell(place), self._grip
         self._grip = column, row
-        moved = self._carried.x + column - from_column, self._carried.y + row - from_row
-        self._carried = replace(self._carried, x=moved[0], y=moved[1])
+        self._carried = self._carried.moved(column - from_column, row - from_row)
         return []
 
     def end(self, place, straight):

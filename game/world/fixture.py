@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from game.core.figures import RECTANGLE, figure
 from game.core.ink import EMPTY, GRAIN, Ink, by_colour
+from game.core.replicas import full_words
 from game.world import knob
 from game.world.tally import NONE, added, split
 
@@ -50,6 +51,10 @@ class Fixture:
         left, top, right, bottom = self.box
         return [(x, y) for y in range(top, bottom) for x in range(left, right)]
 
+    def moved(self, right, down):
+        """Return it so many cells away."""
+        return replace(self, x=self.x + right, y=self.y + down)
+
     def turned(self, quarters, shape):
         """Return it as it is after so many quarter turns, clockwise, of a lattice of `shape` (height, width)."""
         height, width = shape
@@ -80,6 +85,20 @@ def act(world):
                 came, went = split(by_colour(change, ink))
                 poured, swallowed = added(poured, came), added(swallowed, went)
     return Traffic(poured, swallowed)
+
+
+def act_on_replicas(fixtures, iteration, group, runs):
+    """Let the fixtures act that are due before an iteration, in place, on a group of Replicas, `runs` of them."""
+    full = full_words(runs)
+    height, width = group.walls.shape[0] - 2, group.walls.shape[1] - 2
+    for each in fixtures:
+        left, top, right, bottom = each.box
+        left, top, right, bottom = max(left, 0) + 1, max(top, 0) + 1, min(right, width) + 1, min(bottom, height) + 1
+        if iteration % each.every or left >= right or top >= bottom:
+            continue
+        free = group.walls[top:bottom, left:right, None] == 0
+        group.cells[top:bottom, left:right] = full * free if each.kind == TAP else 0
+        group.awake[top - 1 : bottom, left - 1 : right] = 1
 
 
 def pause(fixtures, iteration):

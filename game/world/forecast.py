@@ -14,6 +14,7 @@ from game.core.chance import CERTAIN, chance_of, threshold
 from game.core.replicas import BITS, advance_replicas, count_replicas, read_states, replicate
 from game.core.visit import MOST_WORDS
 from game.world import knob
+from game.world.fixture import act_on_replicas, pause
 from game.world.rule import Rule
 from game.world.world import check_cells
 
@@ -39,6 +40,7 @@ class Ensemble(NamedTuple):
     runs: int
     seed: int
     start: int  # number of the first iteration: it picks the partition
+    fixtures: tuple = ()  # of Fixture, the same in all runs
 
     @property
     def weight(self):
@@ -51,37 +53,38 @@ def certain(rule):
     return all(threshold(p) in (0, CERTAIN) for p in rule.probabilities)
 
 
-def density(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
+def density(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None, fixtures=()):
     """Return the fraction of `runs` independent runs that have sand in each cell after `iterations`: (H, W) float64.
 
     sand, walls: (H, W) bool, as `World.from_cells` takes them. start: the iteration the runs start at, as in
     `world.iteration`. progress(done_runs), if given, is called with the work done so far, in runs, up to `runs`.
-    cancelled(), if given, is asked every few milliseconds; once it returns true, Cancelled is raised. Raises ValueError
-    for bad cells, for `runs` outside [1, 10**9] and for other numbers out of range.
+    cancelled(), if given, is asked every few milliseconds; once it returns true, Cancelled is raised. fixtures: as in
+    `world.fixtures`, they act in every run. Raises ValueError for bad cells, for `runs` outside [1, 10**9] and for
+    other numbers out of range.
     """
-    counts = counts_at(sand, walls, rule, [iterations], runs, seed, start, progress, cancelled)
+    counts = counts_at(sand, walls, rule, [iterations], runs, seed, start, progress, cancelled, fixtures)
     return counts[0] / runs
 
 
-def counts_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
+def counts_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None, fixtures=()):
     """Return how many runs have sand in each cell at each moment: (moments, H, W) int64, exact.
 
     moments: iterations since the start, in rising order. The rest is as for `density`.
     """
-    ensemble, moments = _checked(sand, walls, rule, runs, seed, start), _checked_moments(moments)
+    ensemble, moments = _checked(sand, walls, rule, runs, seed, start, fixtures), _checked_moments(moments)
     counts = np.zeros((len(moments), *ensemble.sand.shape), np.int64)
     for moment, _, group in _follow(ensemble, moments, progress, cancelled):
         count_replicas(group.cells, ensemble.weight, counts[moment])
     return counts
 
 
-def growing_counts(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, cancelled=None):
+def growing_counts(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, cancelled=None, fixtures=()):
     """Yield (runs so far, how many of them have sand in each cell) after more and more runs, up to `runs`.
 
     The counts are one (H, W) int64 array, added to in place: each time what `counts_at` gives for so many runs. The
     rest is as for `density`.
     """
-    ensemble, moments = _checked(sand, walls, rule, runs, seed, start), _checked_moments([iterations])
+    ensemble, moments = _checked(sand, walls, rule, runs, seed, start, fixtures), _checked_moments([iterations])
     counts = np.zeros(ensemble.sand.shape, np.int64)
     for _, first, group in _follow(ensemble, moments, cancelled=cancelled, few=FEW_WORDS):
         count_replicas(group.cells, ensemble.weight, counts)
@@ -106,9 +109,10 @@ def states_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=
     return states
 
 
-def _checked(sand, walls, rule, runs, seed, start):
+def _checked(sand, walls, rule, runs, seed, start, fixtures=()):
     sand, walls = check_cells(sand, walls)
-    return Ensemble(sand, walls, rule, knob.RUNS.check(runs), knob.SEED.check(seed), knob.START.check(start))
+    runs, seed, start = knob.RUNS.check(runs), knob.SEED.check(seed), knob.START.check(start)
+    return Ensemble(sand, walls, rule, runs, seed, start, tuple(fixtures))
 
 
 def _checked_moments(moments):
@@ -138,13 +142,26 @@ def _follow(ensemble, moments, progress=None, cancelled=None, few=MOST_WORDS):
         group = replicate(ensemble.sand, ensemble.walls, ensemble.seed, first, here)
         now = 0
         for number, moment in enumerate(moments):
-            for done in _bites(group, ensemble, now, moment - now, cancelled):
+            for done in _stretches(group, ensemble, here, now, moment, cancelled):
                 if progress is not None:
-                    progress(ensemble.runs * (first * moments[-1] + here * (now + done)) // work)
+                    progress(ensemble.runs * (first * moments[-1] + here * done) // work)
             now = moment
             yield number, first, group
     if progress is not None:
         progress(ensemble.runs)
+
+
+def _stretches(group, ensemble, runs, now, moment, cancelled):
+    """Run a group of so many runs to iteration `moment` in place, its fixtures acting; yield how many are done."""
+    while now < moment:
+        end = moment
+        if ensemble.fixtures:
+            begin = ensemble.start + now
+            act_on_replicas(ensemble.fixtures, begin, group, runs)
+            end = min(end, now + pause(ensemble.fixtures, begin))
+        for done in _bites(group, ensemble, now, end - now, cancelled):
+            yield now + done
+        now = end
 
 
 def _bites(group, ensemble, now, iterations, cancelled):

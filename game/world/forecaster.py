@@ -111,7 +111,15 @@ class Forecaster:
 
         sand, walls = question.still.cells
         growing = self._count(
-            sand, walls, question.rule, question.ahead, question.runs, question.seed, question.start, cancelled=dropped
+            sand,
+            walls,
+            question.rule,
+            question.ahead,
+            question.runs,
+            question.seed,
+            question.start,
+            cancelled=dropped,
+            fixtures=question.still.fixtures,
         )
         try:
             for runs, counts in growing:

@@ -60,6 +60,7 @@ class Still:
         where, row = world.layout, part.top // 2
         words = slice(row * where.stride, (row + -(-part.height // 2)) * where.stride)
         self.part = part
+        self.fixtures = tuple(each.moved(-part.left, -part.top) for each in world.fixtures)
         self._planes = world.planes[: bit_planes.SHIFTED_WALLS, words].copy()
         self._band = where._replace(height=part.height)
 

@@ -8,6 +8,7 @@ import pytest
 
 from game import Rule, World, advance, density
 from game.world import forecast
+from game.world.fixture import Fixture
 from game.world.forecast import Cancelled, counts_at, states_at
 from game.world.rule import SCHEDULES
 from tests.cells import random_world, world_of
@@ -194,3 +195,19 @@ def test_moments_rise_and_states_are_of_small_lattices():
         counts_at(big.sand, big.walls, Rule(), [1, 3, 2])
     with pytest.raises(ValueError, match="64 cells at most, got 65"):
         states_at(big.sand, big.walls, Rule(), [1])
+
+
+@pytest.mark.parametrize("rule", [Rule(schedule="balanced"), Rule.with_p(0.6, "balanced")])
+def test_taps_and_drains_act_in_every_run(rule):
+    world = random_world(np.random.default_rng(4), 20, 26, sand=0.3, walls=0.1)
+    world.fixtures = Fixture("tap", 3, 2, 5, 1, 3), Fixture("drain", -2, 15, 20, 3, 2), Fixture("tap", 24, 0, 9, 1, 5)
+    world.iteration = 7
+    found = density(world.sand, world.walls, rule, 40, runs=2000, start=7, fixtures=world.fixtures)
+    mean, alone = np.zeros(world.shape), 300
+    for seed in range(alone):
+        single = world.copy()
+        single.seed = seed
+        advance(single, rule, 40)
+        mean += single.sand / alone
+    assert np.abs(found - mean).max() < (1e-9 if rule.p == 1.0 else 0.16)
+    assert found[:, 3:8].any() and (found[world.walls] == 0).all()

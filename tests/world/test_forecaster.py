@@ -50,7 +50,7 @@ class Counting:
     def __init__(self):
         self.go, self.started, self.asked, self.dropped = threading.Semaphore(0), threading.Semaphore(0), [], 0
 
-    def __call__(self, sand, walls, rule, ahead, runs, seed, start, cancelled):
+    def __call__(self, sand, walls, rule, ahead, runs, seed, start, cancelled, fixtures):
         self.asked.append(ahead)
         self.started.release()
         for so_far in (runs // 2, runs):
