@@ -16,6 +16,7 @@ from game.play.gallery import Gallery
 from game.play.glow import Glow
 from game.play.hearing import Hearing
 from game.play.help import Help
+from game.play.hints import Hints
 from game.play.hiss import Hiss
 from game.play.keeper import Keeper
 from game.play.layout import Layout
@@ -93,7 +94,7 @@ class Toy:
 
     def _gather_instruments(self):
         self.hiss = Hiss(self)
-        self.watchers.append(self.hiss)
+        self.watchers += [self.hiss, Hints(self)]
         self.forecasting = Forecasting(self)
         self.plots = Plots(self)
         self.overlays.insert(0, self.forecasting)
