@@ -9,12 +9,15 @@ import time
 import numpy as np
 import pygame
 
+from game.play import icon
+
 SMALLEST = (640, 480)
 ROOM_FOR_DECORATION = (24, 80)  # of the desktop, left to the title bar and panels of others
 SLOW_FLIP_MS = (
     3.0  # a flip that takes longer goes through software OpenGL: writing to the window directly is far cheaper
 )
 TITLE = "Sandglass"
+NAME = "sandglass"
 INVISIBLE = ("offscreen", "dummy")  # drivers that SDL falls back on where there is no screen
 
 
@@ -83,6 +86,7 @@ class Window:
 
     def _open(self):
         flags = pygame.FULLSCREEN if self.fullscreen else pygame.RESIZABLE
+        pygame.display.set_icon(icon.load())
         pygame.display.set_mode((0, 0) if self.fullscreen else self._windowed_size, flags, 32)
         pygame.display.set_caption(self._title)
 
@@ -114,6 +118,8 @@ class Window:
 def _start_display():
     """Start the display; refuse a driver that shows nothing unless the user asked for it by name."""
     asked_for = os.environ.get("SDL_VIDEODRIVER")
+    os.environ.setdefault("SDL_WINDOWS_DPI_AWARENESS", "permonitorv2")  # else Windows stretches the window's pixels
+    os.environ.setdefault("SDL_VIDEO_X11_WMCLASS", NAME)  # by which a Linux desktop finds the icon
     screens = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
     if sys.platform == "linux" and not asked_for and not screens:
         raise NoDisplayError("neither DISPLAY nor WAYLAND_DISPLAY is set")
