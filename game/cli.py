@@ -218,10 +218,10 @@ def _scene_to_play(options, recording):
     if recording:
         return recording.scene
     if options.timer and not options.scene:
-        from game.world.maker import Glass
+        from game.world.maker import glass_for, glass_within, scene_of
 
         try:
-            return Glass.for_time(options.timer, options.size).scene()
+            return scene_of(glass_within(*options.size) if options.size else glass_for(options.timer))
         except ValueError as error:
             raise SystemExit(_refuse(error)) from None
     return _load(options)

@@ -4,6 +4,7 @@ import numpy as np
 
 from game import World
 from game.world import knob
+from game.world.glass_shape import Glass
 
 NAMES = [each.name for each in knob.PROBABILITIES]
 
@@ -32,3 +33,8 @@ def coloured(world, generator):
     dyed = World.from_cells(world.sand, world.walls, world.seed, colours)
     dyed.iteration = world.iteration
     return dyed
+
+
+def small_glass(height):
+    """Return a thin Glass of that height."""
+    return Glass(round(0.75 * height), height, height // 12, 1, curve=0.95, wall=1)

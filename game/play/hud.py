@@ -45,11 +45,14 @@ class Hud:
         fps = f"{len(self._frames) / stretch:.0f} fps"
         self._pace = [fps, f"{frame_ms:.1f} of {BUDGET_NS / 1e6:.0f} ms", pace]
 
-    def drawing(self, rect, session, said=""):
-        """Return the strokes of the line in `rect`: a value that changes only when the line does. said: goes first."""
+    def drawing(self, rect, session, said="", aside=""):
+        """Return the strokes of the line in `rect`: a value that changes only when the line does.
+
+        said: goes first, and is to be noticed. aside: goes first where nothing is said.
+        """
         px = self.theme.px
         words = pygame.Rect(rect).inflate(-2 * px(12), 0)
-        first = [said] if said else []
+        first = [said or aside] if said or aside else []
         if session.now < session.reached:
             first.append(f"{session.now:,} of {session.reached:,}")
         text = self._fitting(first + (["Paused"] if session.paused else self._pace), words.width)

@@ -6,6 +6,7 @@ import pygame
 
 from game.play import appearance, outlook, toolbox
 from game.play.files import demos
+from game.play.glass_fold import GlassFold
 from game.play.timer_fold import TimerFold
 from game.world import knob
 from game.world.action import SetRule
@@ -39,7 +40,7 @@ class Panel:
         self.ui = ui
         self.all_seven = False  # whether the fold with all probabilities is open
         self.past_open = False  # whether the fold of the past is open
-        self.timer = TimerFold()
+        self.timer, self.glass = TimerFold(), GlassFold()
         self._turning = False  # a slider is being dragged, and what it sets is one act
         self._rule = None  # the rule that _p and _bias stand for
         self._p = self._bias = 0.0
@@ -138,6 +139,7 @@ class Panel:
         if ui.button("Restart", key="R", tip="Starts the scene again"):
             toy.commands.restart()
         self.timer.lay_out(ui, toy)
+        self.glass.lay_out(ui, toy)
 
     def _past(self, toy):
         """What can be done to time that has passed; undo, save and open are always in sight."""

@@ -39,7 +39,7 @@ class Screen:
             paint.draw(surface, toy.theme, bar)
             self._bar_drawn = bar
             rects.append(layout.bar)
-        line = toy.hud.drawing(layout.hud, toy.session, self._said())
+        line = toy.hud.drawing(layout.hud, toy.session, self._said(), toy.timer.words)
         if line != self._hud_drawn:
             paint.draw(surface, toy.theme, line)
             self._hud_drawn = line
@@ -54,7 +54,7 @@ class Screen:
         toy, timeline = self._toy, self._toy.session.timeline
         if toy.stepping.on_the_way:
             return f"Computing the sand: {100 * timeline.moment.now // timeline.goal} %"
-        return toy.recorder.said or ("Time runs back" if toy.rewind.held else toy.ahead.words or toy.timer.words)
+        return toy.recorder.said or ("Time runs back" if toy.rewind.held else toy.ahead.words)
 
     def _overlay(self):
         """Return what draws over the sand now, or None."""

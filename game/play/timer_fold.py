@@ -3,7 +3,7 @@
 from game.play.timer import OFF, RUNNING
 from game.world.duration import spell, spell_left
 from game.world.knob import TIMER, Knob
-from game.world.maker import Glass
+from game.world.maker import glass_for, scene_of
 
 PRESETS = 1, 3, 5, 10, 25  # minutes
 MINUTES = Knob("minutes", TIMER.default / 60, 0.25, 120, "minutes", TIMER.meaning)
@@ -34,7 +34,7 @@ class TimerFold:
         if ui.button(label, key="T", name="Timer start", tip="Starts the timer, or stops it"):
             toy.commands.toggle_timer()
         if ui.button("A glass for it", tip=f"Puts a glass that suits {spell(timer.wanted_s)} in place of this scene"):
-            toy.open_scene(Glass.for_time(timer.wanted_s).scene(), toy.session.seed)
+            toy.open_scene(scene_of(glass_for(timer.wanted_s)), toy.session.seed)
         toy.settings["chime"] = ui.toggle("Chime at the end", toy.settings["chime"])
         words = _told(timer)
         if words:

@@ -3,10 +3,14 @@
 import math
 from dataclasses import dataclass
 
+import numpy as np
+
 from game.core.brush import DIAMOND, ROUND, SQUARE, comes_over
 from game.core.figures import ELLIPSE, RECTANGLE, covers
 from game.core.ink import ANY, EMPTY, GRAIN, WALL, Ink
 from game.world.dyes import AMBER, DYES
+from game.world.glass_shape import Glass
+from game.world.pour import pour
 from game.world.rule import Rule
 from game.world.scene import Scene
 from game.world.tally import NONE
@@ -67,6 +71,14 @@ class Turn:
 
 
 @dataclass(frozen=True)
+class Reshape:
+    """Puts a glass in place of all walls, and pours the sand into it; `refill`: fills it anew instead."""
+
+    glass: Glass
+    refill: bool = False
+
+
+@dataclass(frozen=True)
 class SetFixtures:
     """Gives the world other taps and drains in place of those that it has."""
 
@@ -115,6 +127,8 @@ def perform(action, world, rule):
             world.flip()
         case Turn():
             world = world.turned(action.quarters)
+        case Reshape():
+            world, change = _reshape(action, world)
         case SetFixtures():
             world.fixtures = action.fixtures
         case Clear():
@@ -150,6 +164,18 @@ def _draw(draw, world):
 def dye(action):
     """Return the number of the colour that an act gives to sand; RAINBOW is the one after the last."""
     return DYES.index(action.colour)
+
+
+def _reshape(reshape, world):
+    sand, walls = reshape.glass.cells()
+    before, colours = world.grains_by_colour, None
+    if not reshape.refill:
+        grains = world.sand + world.colours if world.coloured else world.sand.view(np.uint8)
+        poured, _ = pour(grains, reshape.glass.inside())
+        sand = poured > 0
+        colours = np.maximum(poured, 1) - 1 if world.coloured else None
+    world = world.within(sand, walls, colours)
+    return world, tuple(now - then for now, then in zip(world.grains_by_colour, before, strict=True))
 
 
 def snap(place, diameter):

@@ -3,9 +3,10 @@
 import time
 from dataclasses import dataclass
 
-from game.world.action import Load, perform
+from game.world.action import Load, Reshape, perform
 from game.world.advance import NO_TRAFFIC, advance
 from game.world.audit import Account
+from game.world.maker import scene_of
 from game.world.rule import Rule
 from game.world.scene import Scene
 from game.world.world import World
@@ -51,4 +52,6 @@ class Moment:
             self.scene, self.loaded_at, self.account = action.scene, now, Account(self.world.grains_by_colour)
         elif any(change):
             self.account = self.account.booked(change)
+        if isinstance(action, Reshape):
+            self.scene = scene_of(action.glass, self.rule, self.scene.speed)
         self.work_ns += time.perf_counter_ns() - start

@@ -2,7 +2,7 @@
 
 from itertools import pairwise
 
-from game.world import fixture, knob, scene_record
+from game.world import fixture, glass_shape, knob, scene_record
 from game.world.action import (
     FIGURES,
     KINDS,
@@ -14,6 +14,7 @@ from game.world.action import (
     Flip,
     Load,
     Paint,
+    Reshape,
     SetFixtures,
     SetRule,
     Turn,
@@ -47,6 +48,8 @@ def encode(entry, known):
             values |= {"do": "fill", "material": material, "place": _short(place), **_colour(fill)}
         case Turn(quarters):
             values |= {"do": "turn", "quarters": quarters}
+        case Reshape(glass, refill):
+            values |= {"do": "reshape", "glass": glass.as_dict()} | ({"refill": True} if refill else {})
         case SetFixtures(fixtures):
             values |= {"do": "fixtures", "fixtures": [each.as_dict() for each in fixtures]}
         case SetRule(rule):
@@ -78,7 +81,9 @@ def encode_story(entries, known):
 def decode(table, known):
     """Return the entries, one or more, that a record tells of, a Table; raise SceneError where it is none."""
     at = table.number("at", knob.MOMENT)
-    kind = table.choice("do", ("paint", "stroke", "draw", "fill", "turn", "fixtures", "rule", "load", *PLAIN))
+    kind = table.choice(
+        "do", ("paint", "stroke", "draw", "fill", "turn", "reshape", "fixtures", "rule", "load", *PLAIN)
+    )
     joined = _flag(table, "join")
     if kind == "stroke":
         return _decode_stroke(table, at, joined)
@@ -95,6 +100,9 @@ def decode(table, known):
     elif kind == "turn":
         table.allow(("at", "do", "join", "quarters"))
         what = Turn(table.number("quarters", QUARTERS))
+    elif kind == "reshape":
+        table.allow(("at", "do", "join", "glass", "refill"))
+        what = Reshape(glass_shape.read(table.table("glass")), _flag(table, "refill"))
     elif kind == "fixtures":
         table.allow(("at", "do", "join", "fixtures"))
         what = SetFixtures(fixture.read_all(table))

@@ -11,8 +11,9 @@ from game.world.assets import asset
 from game.world.colours import WALL_LOOKS
 from game.world.drawing import EMPTY, painted_cells, parted, resampled, written_cells
 from game.world.fixture import DRAIN, TAP
+from game.world.glass_shape import Glass
 from game.world.rule import FIELDS, SCHEDULES, Rule
-from game.world.shapes import Scale, middle_of_glass, paint
+from game.world.shapes import Scale, middle_of_glass, only_glass, paint
 from game.world.table import SceneError, read_table
 from game.world.world import World
 
@@ -43,6 +44,7 @@ class Scene:
     made_of: str = WALL_LOOKS[0]  # what the walls look like
     fixtures: tuple = ()  # of Fixture: taps and drains
     colours: np.ndarray | None = None  # of the sand, (H, W) uint8, not writable; None where all of it is amber
+    glass: Glass | None = None  # the one hourglass that it is made of, if it is
     shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
 
     @property
@@ -81,6 +83,7 @@ def load_scene(name_or_path, size=None):
         speed=table.number("speed", knob.SPEED, knob.SPEED.default),
         cell=table.number("cell", knob.CELL, knob.CELL.default),
         neck=_neck(table, cells.shape),
+        glass=_glass(table, cells.shape),
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
         fixtures=_fixtures(table, own_size, sand.shape),
         shipped=path.parent == asset("scenes"),
@@ -161,6 +164,16 @@ def _neck(table, shape):
     middles = (middle_of_glass(each, own_height) for each in table.tables("shape"))
     middle = next((each for each in middles if each is not None), None)
     return None if middle is None else round(middle * shape[0] / own_height)
+
+
+def _glass(table, shape):
+    """Return the Glass that is all that `table` describes, on a lattice of `shape`, or None."""
+    shapes = table.tables("shape")
+    if len(shapes) != 1 or any(source in table for source in SOURCES[:2]):
+        return None
+    own_width, own_height = table.number("width", knob.SIDE), table.number("height", knob.SIDE)
+    scale = Scale(own_width, own_height, shape[1] / own_width, shape[0] / own_height)
+    return only_glass(shapes[0], shape[1], shape[0], scale)
 
 
 def _rule(table):

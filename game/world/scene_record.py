@@ -9,14 +9,17 @@ from functools import lru_cache
 import numpy as np
 
 from game.core.planes import DEPTH
-from game.world import fixture, knob
+from game.world import fixture, glass_shape, knob
 from game.world.colours import WALL_LOOKS
 from game.world.rule import FIELDS, SCHEDULES, Rule
 from game.world.scene import Scene, load_scene, scene_names
 from game.world.table import shown
 
 SHIPPED = ("name", "size", "start")
-EMBEDDED = ("name", "title", "notice", "size", "cells", "colours", "walls", "rule", "speed", "cell", "fixtures")
+EMBEDDED = (
+    *("name", "title", "notice", "size", "cells", "colours", "walls", "rule", "speed", "cell"),
+    *("fixtures", "glass"),
+)
 
 
 def start_digest(scene):
@@ -49,6 +52,7 @@ def encode(scene, known):
         "speed": scene.speed,
         "cell": scene.cell,
         **({"fixtures": [each.as_dict() for each in scene.fixtures]} if scene.fixtures else {}),
+        **({"glass": scene.glass.as_dict()} if scene.glass else {}),
     }
 
 
@@ -112,6 +116,7 @@ def _embedded(table):
         cell=table.number("cell", knob.CELL),
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
         fixtures=fixture.read_all(table),
+        glass=glass_shape.read(table.table("glass")) if "glass" in table else None,
     )
 
 

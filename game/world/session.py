@@ -127,8 +127,9 @@ class Session:
 
     def _keep_pace(self):
         """Take the pace of the scene that a seek, an undo or a recorded load has brought."""
-        if self.scene is not self._paced:
-            self.clock, self._paced = Clock(self.scene.speed), self.scene
+        if self.scene.speed != self._paced.speed:
+            self.clock = Clock(self.scene.speed)
+        self._paced = self.scene
 
     def _note(self, entry):
         """Tell the journal; if it cannot write, let it go and say why, for sand is not lost with it."""

@@ -9,6 +9,7 @@ from game.world.drawing import EMPTY, MATERIALS, SANDS, WALL
 from game.world.dyes import AMBER
 from game.world.dyes import COLOURS as DYES
 from game.world.glass import CURVE, FILL, NECK, THICKNESS, hourglass
+from game.world.glass_shape import Glass
 from game.world.knob import SIDE, Knob
 from game.world.table import Table
 
@@ -19,6 +20,7 @@ SHARE = Knob("share", 1.0, 0.0, 1.0, "", "part of the places that are taken")
 LENGTH = Knob("length", 1.0, 0.01, SIDE.high, "cells", "the size of a shape, or of a part of it")
 BOX = ("x", "y", "width", "height")  # a shape's left, top and size; left out, the whole scene
 DYE = "dye"  # what is no material: it gives sand another colour and leaves the rest
+HOURGLASS = (*BOX, "neck", "curve", "wall", "fill")
 BAND = 128  # rows painted at a time: bounds the memory that painting takes on the largest lattice
 
 
@@ -101,22 +103,47 @@ def _paint_region(cells, shape, material, scale, only_sand):
 
 
 def _paint_hourglass(cells, table, scale):
-    table.allow(("kind", *BOX, "neck", "curve", "wall", "fill", "colour"))
+    table.allow(("kind", *HOURGLASS, "colour"))
     x, y, width, height = _box(table, scale)
     for key, low, size, most in (("width", x, width, scale.width), ("height", y, height, scale.height)):
         if low < 0 or low + size > most:
             raise table.error(key, f"{low:g} + {size:g}", f"a glass within the {most:g} cells of the scene")
-    neck, wall = table.number("neck", NECK, NECK.default), table.number("wall", THICKNESS, THICKNESS.default)
-    curve, fill = table.number("curve", CURVE, CURVE.default), table.number("fill", FILL, FILL.default)
-    left, right = round(x * scale.x), round((x + width) * scale.x)
-    top, bottom = round(y * scale.y), round((y + height) * scale.y)
+    numbers = _numbers_of_glass(table, scale)
+    left, top, right, bottom = _box_of_glass(table, scale)
     try:
-        thickness = wall * min(scale.x, scale.y)
-        sand, walls = hourglass(bottom - top, right - left, neck * scale.x, curve, thickness, fill)
+        sand, walls = hourglass(bottom - top, right - left, *numbers)
     except ValueError:
         raise table.error("width", f"{right - left}×{bottom - top} cells", "at least 5×5 for an hourglass") from None
     box = cells[top:bottom, left:right]
     box[sand], box[walls] = _sand(table), WALL
+
+
+def only_glass(table, width, height, scale):
+    """Return the Glass on a lattice of that size that a shape's table describes; None if it is none or off the middle.
+
+    The table has been painted from before, so that what it says is right.
+    """
+    if table.values.get("kind") != "hourglass" or not set(table.values) <= {"kind", *HOURGLASS}:
+        return None
+    left, top, right, bottom = _box_of_glass(table, scale)
+    if (right, bottom) != (width - left, height - top):
+        return None
+    try:
+        return Glass(width, height, left, top, *_numbers_of_glass(table, scale))
+    except ValueError:  # a neck or a wall as thick on this lattice as no slider goes
+        return None
+
+
+def _box_of_glass(table, scale):
+    """Return the first column and row of an hourglass and those after its last."""
+    x, y, width, height = _box(table, scale)
+    return round(x * scale.x), round(y * scale.y), round((x + width) * scale.x), round((y + height) * scale.y)
+
+
+def _numbers_of_glass(table, scale):
+    """Return neck, curve, wall and fill of an hourglass on the lattice."""
+    neck, curve, wall, fill = (table.number(each.name, each, each.default) for each in (NECK, CURVE, THICKNESS, FILL))
+    return neck * scale.x, curve, wall * min(scale.x, scale.y), fill
 
 
 def _rectangle(table, scale):

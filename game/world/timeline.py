@@ -4,7 +4,7 @@ import time
 from collections import deque
 
 from game.world import knob
-from game.world.action import Clear, Draw, Paint, SetFixtures, SetRule
+from game.world.action import Clear, Draw, Paint, Reshape, SetFixtures, SetRule
 from game.world.course import Course
 from game.world.history import Entry, History
 from game.world.moment import Moment
@@ -18,7 +18,7 @@ LONGEST_TRAIL = 16  # snapshots; a rewind needs those between here and the neare
 SHARE = 20  # a snapshot costs at most one part in so many of the work: on a huge lattice it takes long to copy
 SLICE_NS = 1_000_000  # work between two looks at the time; more overruns a frame's budget, less costs calls
 LONGEST_SLICE = 2048  # iterations: sand at rest costs nothing, and may start to move at any time
-REPEATABLE = Clear, Draw, Paint, SetFixtures, SetRule  # done twice at one iteration, they do what they do once
+REPEATABLE = Clear, Draw, Paint, Reshape, SetFixtures, SetRule  # done twice at one iteration, they do what they do once
 
 
 class Timeline:

@@ -5,13 +5,14 @@ import pytest
 
 from game.world.action import Flip, SetRule
 from game.world.ending import at_rest, find_ending
-from game.world.maker import Glass
+from game.world.maker import scene_of
 from game.world.neck import find_neck
 from game.world.rule import Rule
 from game.world.session import Session
+from tests.cells import small_glass
 from tests.play.player import Player
 
-SCENE = Glass.of_height(60, wall=1).scene()
+SCENE = scene_of(small_glass(60))
 
 
 @pytest.fixture

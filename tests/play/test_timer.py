@@ -9,8 +9,9 @@ from game.play.mixer import RATE
 from game.play.pace import Pace
 from game.play.timer import OFF, OVER, RUNNING
 from game.world.action import Load, SetRule
-from game.world.maker import Glass
+from game.world.maker import scene_of
 from game.world.rule import Rule
+from tests.cells import small_glass
 from tests.play.player import FRAME_NS, Player
 
 FRAME_S = FRAME_NS / 1e9
@@ -21,7 +22,7 @@ class Waiting(Player):
 
     def __init__(self, height=48):
         super().__init__("hourglass", size=(700, 560))
-        self.toy.open_scene(Glass.of_height(height, wall=1).scene(), 1)
+        self.toy.open_scene(scene_of(small_glass(height)), 1)
         self.timer.clock = lambda: self.now_s
 
     @property
@@ -85,7 +86,7 @@ def test_acts_on_the_way_do_not_move_the_end(waiting):
         lambda: waiting.key(pygame.K_f, "f"),
         lambda: waiting.toy.do(SetRule(Rule.with_p(0.3, "balanced"))),
         lambda: waiting.session.undo(),
-        lambda: waiting.toy.do(Load(Glass.of_height(70, wall=1).scene(), 2)),
+        lambda: waiting.toy.do(Load(scene_of(small_glass(70)), 2)),
     ):
         waiting.pass_time(1.5)
         act()

@@ -14,6 +14,7 @@ from game.world.action import (
     Flip,
     Load,
     Paint,
+    Reshape,
     SetFixtures,
     SetRule,
     Turn,
@@ -21,6 +22,7 @@ from game.world.action import (
 )
 from game.world.dyes import DYES
 from game.world.fixture import Fixture
+from game.world.glass_shape import Glass
 from game.world.history import WAIT
 from game.world.rule import SCHEDULES
 from game.world.scene import Scene
@@ -73,7 +75,10 @@ turns = st.one_of(st.just(Flip()), st.builds(Turn, st.integers(1, 3)))
 tools = st.one_of(paints, shaped, draws, fills)
 rules = st.builds(SetRule, st.builds(Rule, *[chances] * 7, st.sampled_from(sorted(SCHEDULES))))
 loads = st.builds(Load, st.sampled_from(SCENES), st.integers(0, 3))
-actions = st.one_of(paints, tools, fittings, rules, loads, turns, st.just(Clear()))
+sides = st.integers(12, 40)
+glasses = st.builds(Glass, sides, sides, st.integers(0, 3), st.integers(0, 3), st.floats(1, 9), fill=st.floats(0, 1))
+reshapes = st.builds(Reshape, glasses, st.booleans())
+actions = st.one_of(paints, tools, fittings, reshapes, rules, loads, turns, st.just(Clear()))
 commands = st.one_of(
     st.tuples(st.just("run"), st.integers(0, 30)),
     st.tuples(st.just("do"), actions, st.booleans()),

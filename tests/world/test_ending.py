@@ -7,12 +7,12 @@ from game import Rule, advance, load_scene
 from game.world.action import Flip, Paint, SetFixtures, SetRule
 from game.world.ending import Cancelled, at_rest, find_ending, first_moment
 from game.world.fixture import TAP, Fixture
-from game.world.maker import Glass
+from game.world.maker import scene_of
 from game.world.neck import find_neck
 from game.world.session import Session
-from tests.cells import random_world
+from tests.cells import random_world, small_glass
 
-GLASS = Glass.of_height(60, wall=1)
+GLASS = small_glass(60)
 
 
 def watched(session):
@@ -29,7 +29,7 @@ def watched(session):
 
 @pytest.mark.parametrize(("p", "schedule"), [(1, "paper"), (0.75, "balanced"), (0.4, "margolus"), (0, "balanced")])
 def test_the_ending_is_when_the_last_grain_passes(p, schedule):
-    session = Session(GLASS.scene(Rule.with_p(p, schedule)), seed=3)
+    session = Session(scene_of(GLASS, Rule.with_p(p, schedule)), seed=3)
     session.timeline.run(8)
     ending = find_ending(session.timeline.course())
     assert ending.has_neck and not ending.endless and ending.start == 8
@@ -37,7 +37,7 @@ def test_the_ending_is_when_the_last_grain_passes(p, schedule):
 
 
 def test_acts_still_to_come_are_foreseen():
-    session = Session(GLASS.scene(), seed=1)
+    session = Session(scene_of(GLASS), seed=1)
     session.timeline.run(200)
     session.do(Flip())
     session.timeline.run(10)
@@ -48,19 +48,19 @@ def test_acts_still_to_come_are_foreseen():
 
 
 def test_a_search_leaves_the_session_alone():
-    session = Session(GLASS.scene(), seed=1)
+    session = Session(scene_of(GLASS), seed=1)
     before = session.world.digest()
     find_ending(session.timeline.course())
     assert session.world.digest() == before and session.now == 0
 
 
 def test_sand_that_never_rests_has_no_end():
-    session = Session(GLASS.scene(Rule.with_p(1e-6, "balanced")))
+    session = Session(scene_of(GLASS, Rule.with_p(1e-6, "balanced")))
     assert find_ending(session.timeline.course(), most_iterations=5000).endless
 
 
 def test_sand_under_a_tap_has_no_end_until_nothing_has_room():
-    session = Session(GLASS.scene())
+    session = Session(scene_of(GLASS))
     session.do(SetFixtures((Fixture(TAP, 22, 20, every=7),)))
     assert find_ending(session.timeline.course(), most_iterations=500).endless
     ending = find_ending(session.timeline.course())
@@ -71,7 +71,7 @@ def test_sand_under_a_tap_has_no_end_until_nothing_has_room():
 
 def test_a_search_that_is_not_wanted_stops():
     with pytest.raises(Cancelled):
-        find_ending(Session(GLASS.scene()).timeline.course(), cancelled=lambda: True)
+        find_ending(Session(scene_of(GLASS)).timeline.course(), cancelled=lambda: True)
 
 
 def test_without_a_neck_the_last_grain_is_the_last_that_moves():
@@ -120,13 +120,13 @@ def test_a_world_at_rest_stays_as_it_is(p, schedule):
 
 
 def test_the_first_moment_is_found_exactly():
-    session = Session(GLASS.scene(), seed=2)
+    session = Session(scene_of(GLASS), seed=2)
     first = first_moment(session.timeline.course(), 900, lambda world: world.iteration >= 617)
     assert first == 617
 
 
 def test_friction_changed_on_the_way_changes_the_ending():
-    session = Session(GLASS.scene(), seed=2)
+    session = Session(scene_of(GLASS), seed=2)
     before = find_ending(session.timeline.course()).at
     session.do(SetRule(Rule.with_p(0.2, "balanced")))
     assert find_ending(session.timeline.course()).at > before

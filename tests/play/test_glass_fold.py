@@ -1,0 +1,94 @@
+"""The hourglass maker in the panel: the glass changes under a slider, the sand stays, and one undo takes it back."""
+
+import pygame
+import pytest
+
+from game.play.glass_fold import running_time
+from game.world.ending import find_ending
+from tests.play.player import Player
+
+
+@pytest.fixture
+def maker():
+    """Return a player of the hourglass with the maker open and time held."""
+    player = Player("hourglass", size=(900, 1400))
+    player.toy.panel.glass.open = True
+    player.hold_time()
+    player.session.timeline.run(200)
+    player.wait(1)
+    yield player
+    pygame.display.quit()
+
+
+def drag(player, name, *shares):
+    """Drag a slider along its track."""
+    player.drag(*(player.control(name, share) for share in shares))
+    player.settle()
+
+
+@pytest.mark.parametrize(("name", "share"), [("Neck", 0.5), ("Curve", 0.6), ("Wall", 0.35), ("Size", 0.8)])
+def test_the_sand_stays_in_the_glass_that_changes(maker, name, share):
+    grains, walls = maker.world.grains, maker.world.walls
+    drag(maker, name, share, share + 0.02, share + 0.04)
+    glass = maker.session.scene.glass
+    assert maker.world.grains == grains and maker.session.account.balanced(maker.world)
+    assert maker.world.walls.shape != walls.shape or (maker.world.walls != walls).any()
+    assert not (maker.world.sand & ~glass.inside()).any()
+
+
+def test_one_undo_takes_a_drag_back(maker):
+    before = maker.world.digest()
+    drag(maker, "Wall", 0.4, 0.5, 0.6, 0.7)
+    drag(maker, "Curve", 0.4, 0.5, 0.6)
+    maker.session.undo()
+    assert maker.session.scene.glass.curve == pytest.approx(0.95) and maker.world.digest() != before
+    maker.session.undo()
+    assert maker.world.digest() == before
+
+
+def test_the_fill_slider_fills_the_upper_bulb(maker):
+    drag(maker, "Fill", 0.3)
+    glass = maker.session.scene.glass
+    assert glass.fill == pytest.approx(0.3, abs=0.05) and (maker.world.sand == glass.cells()[0]).all()
+    assert maker.session.account.balanced(maker.world)
+
+
+def test_a_glass_too_small_for_its_sand_is_filled_anew(maker):
+    drag(maker, "Size", 0.3)
+    glass = maker.session.scene.glass
+    assert glass.height < 120 and maker.world.grains == glass.cells()[0].sum()
+    assert "filled anew" in maker.toy.notices.text and maker.session.account.balanced(maker.world)
+
+
+def test_how_long_it_runs_is_told(maker):
+    drag(maker, "Size", 0.5)
+    maker.wait(2)
+    left = find_ending(maker.session.timeline.course()).at - maker.session.now
+    seconds = round(left / maker.session.clock.speed)
+    assert f"Runs for {seconds // 60}:{seconds % 60:02} more" in running_time(maker.toy)
+
+
+def test_restart_fills_the_glass_that_was_made(maker):
+    drag(maker, "Wall", 0.5)
+    glass = maker.session.scene.glass
+    maker.key(pygame.K_r, "r")
+    assert maker.session.scene.glass == glass and (maker.world.sand == glass.cells()[0]).all()
+
+
+def test_any_scene_can_become_a_glass(maker):
+    maker.toy.load("funnel")
+    maker.wait(1)
+    grains = maker.world.grains
+    maker.click(maker.control("Make a glass"))
+    assert maker.session.scene.glass is not None and maker.world.grains == grains
+
+
+def test_a_glass_that_was_made_is_saved_like_any_scene(maker):
+    drag(maker, "Wall", 0.5)
+    sand, walls = maker.world.sand, maker.world.walls
+    maker.key(pygame.K_s, mod=pygame.KMOD_CTRL)
+    maker.settle()
+    path = maker.toy.notices.text.removeprefix("Saved as ")
+    maker.toy.load("blank")
+    maker.drop(path)
+    assert (maker.world.sand == sand).all() and (maker.world.walls == walls).all()
