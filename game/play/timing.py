@@ -94,6 +94,7 @@ def _report(toy, scene, played, iterations):
         "driver": pygame.display.get_driver(),
         "frames": len(played),
         "iterations": iterations,
+        "smooth": toy.session.streams is not None and toy.session.streams.follows(world),
         "stage_ms": {stage: statistics.mean(column) for stage, column in columns.items()},
         "frame_ms": {
             "mean": statistics.mean(whole),

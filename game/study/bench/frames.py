@@ -13,6 +13,7 @@ COLUMNS = (
     Column("window", "window", table.size),
     Column("driver", "driver"),
     Column("iterations", "iterations/frame", table.figure),
+    Column("streams", "streams"),
     *(Column(stage, stage, table.figure) for stage in STAGES),
     Column("median_ms", "median ms", table.figure),
     Column("p99_ms", "p99 ms", table.figure),
@@ -32,6 +33,7 @@ def frame_table(plan):
     notes += [
         f"{plan.frames} frames of the toy, panel shown, one after another without a pause. Stages are "
         "means in ms; panel includes the line under the sand; median and p99 are of whole frames.",
+        "Smooth streams: falling sand as the mean of the last four iterations; plain on more than four million cells.",
         "Checked: the world that was shown is the one that as many iterations without a window give.",
     ]
     return Table("frames", "5 · Frames", COLUMNS, rows, notes)
@@ -41,7 +43,8 @@ def _arguments(case, plan):
     """Return the arguments of game.play.timing for a case."""
     sizes = {"--size": case.size, "--window": case.window}
     given = [part for flag, pair in sizes.items() if pair for part in (flag, "x".join(map(str, pair)))]
-    return ["--scene", case.scene, *given, "--iterations-per-frame", case.iterations, "--frames", plan.frames]
+    plain = [] if case.smooth else ["--plain-streams"]
+    return ["--scene", case.scene, *given, *plain, "--iterations-per-frame", case.iterations, "--frames", plan.frames]
 
 
 def _row(case, report, shown_on):
@@ -54,6 +57,7 @@ def _row(case, report, shown_on):
         "window": tuple(report["window"]),
         "driver": driver,
         "iterations": report["iterations"] / report["frames"],
+        "streams": "smooth" if report["smooth"] else "plain",
         **{stage: report["stage_ms"][stage] for stage in STAGES},
         "median_ms": report["frame_ms"]["median"],
         "p99_ms": report["frame_ms"]["p99"],

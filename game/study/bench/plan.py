@@ -14,6 +14,7 @@ class FrameCase:
     window: tuple | None
     iterations: int  # in each frame
     goal: bool = False
+    smooth: bool = True  # falling sand is drawn as the mean of a cycle
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,7 @@ FULL = Plan(
         FrameCase("paper", None, None, 16),
         FrameCase("hourglass", FULL_HD, FULL_HD, 16),
         *GOAL_FRAMES,
+        FrameCase("fullhd", FULL_HD, FULL_HD, 16, smooth=False),
         FrameCase("hourglass", FOUR_K, FOUR_K, 8),
     ),
     frames=300,
