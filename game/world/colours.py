@@ -50,6 +50,7 @@ class Colours(NamedTuple):
     ground: tuple  # around the lattice
     air: dict  # {look: Range} of what is neither sand nor wall
     sand: dict  # {look: Range}
+    stream: int  # the look of sand that falls: it is to be seen before air, even where it is thin
     walls: dict  # {one of WALL_LOOKS: Walls}
     panel: dict  # {role: RGB} of the controls and the words
 
@@ -105,6 +106,7 @@ NIGHT = Colours(
         UNDER: Range((220, 168, 86), (238, 194, 110)),
         GRAIN_BY_WALL: Range((168, 118, 49), (190, 138, 64)),
     },
+    stream=SURFACE,
     walls={
         "stone": Walls(Range((92, 97, 98), (104, 109, 110)), _flat(130, 136, 137), _flat(70, 74, 75)),
         "glass": Walls(_flat(74, 86, 90), _flat(128, 150, 155), _flat(100, 119, 124)),
@@ -148,6 +150,7 @@ DAY = Colours(
         UNDER: Range((212, 142, 48), (228, 160, 66)),
         GRAIN_BY_WALL: Range((166, 102, 24), (186, 120, 40)),
     },
+    stream=GRAIN_BY_WALL,
     walls={
         "stone": Walls(Range((112, 116, 118), (122, 126, 128)), _flat(150, 154, 156), _flat(84, 88, 90)),
         "glass": Walls(_flat(178, 200, 206), _flat(104, 136, 146), _flat(134, 162, 170)),
@@ -190,6 +193,7 @@ HIGH_CONTRAST = Colours(
         UNDER: Range((250, 205, 80), (255, 220, 110)),
         GRAIN_BY_WALL: Range((214, 146, 20), (230, 164, 34)),
     },
+    stream=SURFACE,
     walls={
         "stone": Walls(_flat(112, 124, 148), _flat(186, 198, 222), _flat(84, 94, 116)),
         "glass": Walls(_flat(48, 82, 120), _flat(170, 214, 255), _flat(108, 160, 216)),

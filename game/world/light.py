@@ -25,16 +25,20 @@ def lights(palette):
     return np.stack([*plain, look[WOOD] - look[WALL], look[INSIDE] - air, look[GLEAM] - air, look[POST] - air])
 
 
-def blends(palette, channels):
+def blends(palette, channels, stream):
     """Return the colours of cells that held sand in some of the samples: (SAMPLES - 1, 4, shades) pixel values.
 
-    palette: (LOOKS, shades) 0xRRGGBB. channels: those of the pixels. See `core.streams`.
+    palette: (LOOKS, shades) 0xRRGGBB. channels: those of the pixels. stream: the look of sand that falls. Before a
+    darker ground light is mixed; before a brighter one sRGB values are, or thin streams would be lost in its glare. See
+    `core.streams`.
     """
-    components = np.stack([palette >> 16 & 255, palette >> 8 & 255, palette & 255], axis=-1)
-    look = linear(components / 255)
+    values = np.stack([palette >> 16 & 255, palette >> 8 & 255, palette & 255], axis=-1) / 255
+    grounds, sand = values[[AIR, INSIDE, GLEAM, POST]], values[stream]
     share = np.arange(1, SAMPLES)[:, None, None, None] / SAMPLES
-    mixed = (1 - share) * look[[AIR, INSIDE, GLEAM, POST]] + share * look[SURFACE]
-    levels = np.round(mixed * (LIGHTS - 1)).astype(int)
+    mixed_light = (1 - share) * linear(grounds) + share * linear(sand)
+    mixed_values = linear((1 - share) * grounds + share * sand)
+    is_darker = (grounds.sum(axis=-1) < sand.sum(axis=-1))[None, ..., None]
+    levels = np.round(np.where(is_darker, mixed_light, mixed_values) * (LIGHTS - 1)).astype(int)
     return sum(channels[part][levels[..., part]] for part in range(3))
 
 

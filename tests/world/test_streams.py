@@ -9,13 +9,14 @@ from game.core.pixels import AIR, GLEAM, INSIDE, POST, SURFACE, TEXTURE
 from game.core.planes import unpack
 from game.core.streams import SAMPLES
 from game.world.action import Flip, Paint, apply
-from game.world.colours import NIGHT, palette
-from game.world.light import linear
+from game.world.colours import NIGHT, THEMES, palette, rgb
+from game.world.light import blends, channels, linear
 from game.world.picture import Painter, texture
 from game.world.session import Session
 from game.world.streams import FROM_SPEED, Streams
 from game.world.view import View
 from tests.cells import random_world
+from tests.eyes import SIGHTS, difference, lab
 
 RULE = Rule.with_p(0.7, "balanced")
 
@@ -111,3 +112,13 @@ def test_a_world_that_was_turned_over_or_changed_for_another_leaves_no_ghost():
 @pytest.mark.parametrize(("shape", "speed"), [((3000, 3000), 1000), ((100, 100), FROM_SPEED - 1)])
 def test_large_lattices_and_slow_motion_are_drawn_cell_by_cell(shape, speed):
     assert Streams.are_worth((100, 100), FROM_SPEED) and not Streams.are_worth(shape, speed)
+
+
+@pytest.mark.parametrize("colours", THEMES.values(), ids=THEMES)
+@pytest.mark.parametrize("sight", SIGHTS)
+def test_even_the_thinnest_stream_can_be_seen_in_every_theme(colours, sight):
+    values = palette(colours, "glass")
+    for count in components(blends(values, channels(rgb), colours.stream)):
+        for ground, streams in zip((AIR, INSIDE, GLEAM), count, strict=False):
+            air = lab(colours.air[ground].dark, sight)
+            assert min(difference(lab(each, sight), air) for each in streams) > 9
