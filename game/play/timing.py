@@ -16,8 +16,9 @@ from game.play import loop
 from game.play.toy import Toy
 from game.play.ui.theme import Theme
 from game.play.window import Window
+from game.world import knob
 from game.world.advance import advance
-from game.world.prepare import steps
+from game.world.prepare import later_steps, steps
 from game.world.scene import load_scene
 from game.world.settings import Settings
 
@@ -31,25 +32,44 @@ STAGES = {  # what each stage is made of; the rest of a frame is "other"
 }
 
 
-def frames(scene, window_size, iterations, count, smooth=True):
-    """Play `count` frames of `scene` at `iterations` a frame, without pauses, and return the report as a dict."""
+SHOWN = {"forecast": "toggle_forecast", "plots": "toggle_plots", "schedules": "compare"}  # by which command
+
+
+def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=()):
+    """Play `count` frames of `scene` at `iterations` a frame, without pauses, and return the report as a dict.
+
+    shown: names of SHOWN, what is to be seen besides the sand.
+    """
     pygame.font.init()
     window = Window(window_size or loop.window_size(scene, scene.cell, Theme(1.0)))
     for _, act in steps(scene.rule, scene.made_of, dense=True):
         act()
-    toy = Toy(window, scene)
+    for _, act in later_steps(scene.rule) if shown else ():
+        act()
+    toy = Toy(window, scene, p=p)
     toy.settings["smooth_streams"] = smooth
     toy.session.clock.speed = iterations * loop.FRAMES_PER_SECOND
+    for name in shown:
+        getattr(toy.commands, SHOWN[name])()
     spent = Counter()
     _watch(toy, spent)
     played = []  # each frame's nanoseconds by stage
+    forecasts = {}  # the runs of each question that was answered
     for number in range(WARM_UP + count):
         if number == WARM_UP:
-            first = toy.session.world.iteration
+            first, begin = toy.session.world.iteration, time.perf_counter()
+            forecasts.clear()
         spent.clear()
         _play_frame(toy, spent, number * FRAME_NS / 1e9)
         played.append(dict(spent))
-    return _report(toy, scene, played[WARM_UP:], toy.session.world.iteration - first)
+        if toy.forecasting.answer:
+            forecasts[toy.forecasting.answer.question] = toy.forecasting.answer.runs
+    seconds = time.perf_counter() - begin
+    report = _report(toy, scene, played[WARM_UP:], toy.session.world.iteration - first)
+    toy.close()
+    if forecasts:
+        report["forecast"] = {"per_second": len(forecasts) / seconds, "runs": statistics.median(forecasts.values())}
+    return report | {"shown": list(shown)}
 
 
 def _watch(toy, spent):
@@ -84,7 +104,7 @@ def _report(toy, scene, played, iterations):
     """Return what the frames took, and whether the world shown is the one that a run without a window gives."""
     world = toy.session.world
     twin = scene.world(world.seed)
-    advance(twin, scene.rule, world.iteration)
+    advance(twin, toy.session.rule, world.iteration)
     columns = {stage: [each.get(stage, 0) / 1e6 for each in played] for stage in (*STAGES, "events", "other", "frame")}
     whole = columns.pop("frame")
     return {
@@ -151,6 +171,8 @@ def main():
     parser.add_argument("--window", type=_pair, metavar="WxH", help="window, in pixels (default: the scene's)")
     parser.add_argument("--iterations-per-frame", type=int, default=16, metavar="N")
     parser.add_argument("--frames", type=int, default=300, metavar="N")
+    parser.add_argument("--p", type=float, metavar="P", help=knob.P.meaning)
+    parser.add_argument("--with", dest="shown", nargs="+", default=[], choices=SHOWN, help="what to show besides")
     parser.add_argument("--plain-streams", action="store_true", help="draw falling sand cell by cell")
     parser.add_argument("--start-up", action="store_true", help="time the start instead of frames")
     parser.add_argument("--since", type=int, default=time.time_ns(), metavar="NS", help="when the process was started")
@@ -160,7 +182,15 @@ def main():
         report = start_up(options.since)
     else:
         scene = load_scene(options.scene, options.size)
-        report = frames(scene, options.window, options.iterations_per_frame, options.frames, not options.plain_streams)
+        report = frames(
+            scene,
+            options.window,
+            options.iterations_per_frame,
+            options.frames,
+            not options.plain_streams,
+            options.p,
+            options.shown,
+        )
     print(json.dumps(report, indent=None if options.json else 2))
 
 

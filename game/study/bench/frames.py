@@ -9,6 +9,7 @@ from game.study.bench.windows import NoWindowError, timing
 STAGES = ("events", "stepping", "drawing", "panel", "present", "other")
 COLUMNS = (
     Column("scene", "scene"),
+    Column("shown", "with"),
     Column("cells", "cells", table.size),
     Column("window", "window", table.size),
     Column("driver", "driver"),
@@ -43,8 +44,10 @@ def _arguments(case, plan):
     """Return the arguments of game.play.timing for a case."""
     sizes = {"--size": case.size, "--window": case.window}
     given = [part for flag, pair in sizes.items() if pair for part in (flag, "x".join(map(str, pair)))]
-    plain = [] if case.smooth else ["--plain-streams"]
-    return ["--scene", case.scene, *given, *plain, "--iterations-per-frame", case.iterations, "--frames", plan.frames]
+    given += [] if case.smooth else ["--plain-streams"]
+    given += ["--with", *case.shown] if case.shown else []
+    given += ["--p", case.p] if case.p is not None else []
+    return ["--scene", case.scene, *given, "--iterations-per-frame", case.iterations, "--frames", plan.frames]
 
 
 def _row(case, report, shown_on):
@@ -53,6 +56,7 @@ def _row(case, report, shown_on):
     driver = f"{report['driver']} ({shown_on})" if shown_on else report["driver"]
     row = {
         "scene": case.scene,
+        "shown": _shown(case, report),
         "cells": tuple(report["cells"]),
         "window": tuple(report["window"]),
         "driver": driver,
@@ -65,6 +69,14 @@ def _row(case, report, shown_on):
     return row | {"goal": _goal(case, row) if case.goal else None}
 
 
+def _shown(case, report):
+    """Return what was seen besides the sand, and how often a forecast came."""
+    pace = ""
+    if "forecast" in report:
+        pace = f" ({report['forecast']['runs']:,.0f} runs, {report['forecast']['per_second']:.0f} times a second)"
+    return " and ".join(case.shown).replace("forecast", f"forecast{pace}")
+
+
 def _goal(case, row):
     """Return the goal of a frame's time; sand left unmoved or another window than asked for spoil it."""
     spoiled = ""
@@ -72,5 +84,6 @@ def _goal(case, row):
         spoiled = f"{row['iterations']:.1f} of {case.iterations} iterations"
     elif row["window"] != case.window:
         spoiled = f"the window is {table.size(row['window'])}"
-    what = f"{case.scene}, {table.size(case.window)} window, {case.iterations} iterations: p99"
+    scene = " with ".join(filter(None, (case.scene, " and ".join(case.shown))))
+    what = f"{scene}, {table.size(case.window)} window, {case.iterations} iterations: p99"
     return goals.at_most(what, row["p99_ms"], goals.FRAME_MS, " ms", spoiled)

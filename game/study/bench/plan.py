@@ -15,6 +15,8 @@ class FrameCase:
     iterations: int  # in each frame
     goal: bool = False
     smooth: bool = True  # falling sand is drawn as the mean of a cycle
+    shown: tuple = ()  # what is seen besides the sand, as game.play.timing names it
+    p: float | None = None  # None: the scene's own
 
 
 @dataclass(frozen=True)
@@ -67,6 +69,11 @@ FULL = Plan(
         *GOAL_FRAMES,
         FrameCase("fullhd", FULL_HD, FULL_HD, 16, smooth=False),
         FrameCase("hourglass", FOUR_K, FOUR_K, 8),
+        FrameCase("paper", None, None, 1, shown=("forecast",), p=0.5),
+        FrameCase("fullhd", FULL_HD, FULL_HD, 16, goal=True, shown=("forecast",)),
+        FrameCase("fullhd", FULL_HD, FULL_HD, 16, goal=True, shown=("plots",)),
+        FrameCase("fullhd", FULL_HD, FULL_HD, 16, goal=True, shown=("forecast", "plots")),
+        FrameCase("hourglass", None, FULL_HD, 16, goal=True, shown=("schedules",)),
     ),
     frames=300,
     starts=5,
