@@ -27,6 +27,28 @@ def heat_levels(counts, runs, walls, levels):
             levels[y, x] = SOLID if walls[y, x] else level
 
 
+@kernel
+def mean_levels(levels, columns, rows, means):
+    """Write the mean level of the cells of each pixel to `means`, (len(rows) - 1, len(columns) - 1) uint8.
+
+    columns, rows: int32, the cells between which the pixels lie. Walls count only where a pixel holds nothing else; a
+    pixel is NEVER only if all its cells are.
+    """
+    for i in range(len(rows) - 1):
+        for j in range(len(columns) - 1):
+            total, cells = 0, 0
+            for y in range(rows[i], rows[i + 1]):
+                for x in range(columns[j], columns[j + 1]):
+                    level = levels[y, x]
+                    if level != SOLID:
+                        total += level
+                        cells += 1
+            mean = SOLID
+            if cells:
+                mean = max((total + cells // 2) // cells, min(total, NEVER + 1))
+            means[i, j] = mean
+
+
 @gate
 def _spread(levels, columns, kept, laid, keeps, lays):
     """Look up what each pixel of a row keeps of the picture, and what is laid over it."""

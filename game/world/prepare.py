@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from game.core.heat import lay_heat
+from game.core.heat import lay_heat, mean_levels
 from game.core.pixels import draw_turned
 from game.world.action import Draw, Fill, Paint, apply
 from game.world.advance import advance
@@ -84,6 +84,7 @@ def _forecast():
     still, places = Still(world, Part(0, 0, 2, 2)), np.arange(2, dtype=np.int32)
     for runs, counts in growing_counts(*still.cells, rule, 1, runs=1):
         answer = answer_of(Question(still, rule, 1, 0, 0, 1), world.walls, counts, runs)
+    mean_levels(answer.levels, places, places, np.zeros((1, 1), np.uint8))
     lay_heat(answer.levels, *cover(rgb), places, places, np.zeros((2, 2), np.uint32), 0, 0)
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from game.core.heat import ALWAYS, LEVELS, NEVER, SOLID, heat_levels, lay_heat
+from game.core.heat import ALWAYS, LEVELS, NEVER, SOLID, heat_levels, lay_heat, mean_levels
 
 
 def levels_of(counts, runs, walls=None):
@@ -46,3 +46,22 @@ def test_a_pixel_keeps_its_share_and_gets_the_rest():
                 assert new == (old * int(kept[level]) >> 8) + (int(laid[level]) >> byte & 255)
     before[2:17, 4:24] = pixels[2:17, 4:24]
     assert (pixels == before).all()
+
+
+def test_a_pixel_of_many_cells_shows_their_mean_without_the_walls():
+    generator = np.random.default_rng(71)
+    levels = generator.integers(0, LEVELS, (40, 50)).astype(np.uint8)
+    levels[8:12, 10:20] = SOLID
+    levels[20:30] = NEVER
+    levels[25, 25] = 1
+    columns, rows = np.arange(0, 51, 5, dtype=np.int32), np.array([0, 3, 8, 12, 20, 30, 40], np.int32)
+    means = np.zeros((6, 10), np.uint8)
+    mean_levels(levels, columns, rows, means)
+    for i in range(6):
+        for j in range(10):
+            cells = levels[rows[i] : rows[i + 1], columns[j] : columns[j + 1]].astype(int)
+            sand = cells[cells != SOLID]
+            if len(sand) == 0:
+                assert means[i, j] == SOLID
+            else:
+                assert abs(means[i, j] - sand.mean()) <= 1 and (means[i, j] == NEVER) == (sand.max() == NEVER)

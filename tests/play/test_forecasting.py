@@ -13,6 +13,8 @@ from game.world.action import Flip, SetRule
 from game.world.forecast import Cancelled, counts_at
 from game.world.forecaster import Forecaster
 from game.world.heat_colours import cover
+from game.world.picture import rgb
+from game.world.view import View
 from tests.play.player import FRAME_NS, Player
 
 
@@ -56,7 +58,7 @@ class Stuck(Forecaster):
         self.free = threading.Event()
         super().__init__(self._runs)
 
-    def _runs(self, sand, walls, rule, ahead, runs, seed, start, cancelled):
+    def _runs(self, sand, walls, rule, ahead, runs, seed, start, cancelled, fixtures):
         while not self.free.wait(0.002):
             if cancelled():
                 raise Cancelled
@@ -176,3 +178,20 @@ def test_another_scene_has_no_forecast_of_the_one_before(player, stuck):
     player.toy.load("paper")
     player.wait(2)
     assert player.toy.stage.veil is None and player.toy.forecasting.answer is None
+
+
+def test_the_forecast_follows_the_view_in_and_out(paper):
+    answer = see_forecast(paper)
+    for cell in (30.0, 3.0, 0.4):
+        view = View.near((61, 61), tuple(paper.toy.stage.area), cell, (30.5, 50.5), *paper.toy.stage.area.center)
+        paper.toy.stage.show(view)
+        paper.frame(elapsed_ns=0)
+        veil = paper.toy.stage.veil
+        pixels = np.zeros(paper.toy.window.size[::-1], np.uint32)
+        veil.draw(pixels, view, [(0, pixels.shape[0])], rgb)
+        _, laid = cover(rgb)
+        left, top, right, bottom = view.seen
+        assert not pixels[:top].any() and not pixels[bottom:].any() and not pixels[:, :left].any()
+        if not view.dense:
+            seen = laid[answer.levels[view.rows][:, view.columns]]
+            assert (pixels[top:bottom, left:right] == seen).all() and seen.any()
