@@ -1,181 +1,324 @@
 """Planes to colours where a pixel holds many cells: they are counted, 64 columns at a time, and their light is mixed.
 
-Rows are added up bit by bit: each word of a row has a stack of words whose b-th holds the b-th digits of its columns'
-counts. Counts are then taken out of the words, eight columns at a time, and summed along each lane, the neighbouring
-columns that are one bit of all words of a row. So the cells of any span of columns are the difference of two sums.
+It is done kind by kind. Seven rows at a time are added up bit by bit: each word of a row has a stack of words, whose
+d-th holds the d-th digits of its columns' counts. Where pixels are wide, neighbouring columns are added up in that way.
+Then the stacks are transposed, so that each count is a byte, and summed along each lane, the neighbouring columns that
+are one bit of all words of a row: so the cells between any two edges of pixels are the difference of two sums.
+
+All working memory is one flat array of rows, since the compiler has to check separate arrays for overlap, and indices
+are unsigned, since signed ones may count from the end: either keeps it from working on whole vectors. The large parts
+are kernels of their own, so that most of them is compiled once for lattices with and without decor or colours.
 """
 
 import numpy as np
 
 from game.core.jit import gate, kernel
-from game.core.planes import BITS, SAND, WALLS
+from game.core.planes import BITS, COLOURS, DEPTH, SAND, WALLS
 
 KINDS = 3  # what is counted: sand, that part of it that has nothing on it, walls
 DECOR_KINDS = 4  # and in decorated lattices: wooden walls, the inside of a glass, its reflections, posts
-MOST_ROWS = 255  # of lattice rows in one stack: a column's count is taken out as a byte
+DYES = 2**DEPTH - 1  # and where sand has colours: sand of each but the first
 LIGHTS = 4096  # levels of linear light that are told apart
 
-_DIGITS = 8  # of a column's count
-_AT_ONCE = 3  # rows that are added to a stack together
-_SUMS = 16  # words that hold the sums of all lanes, in 16 bits each
+_GRAINS, _LIT, _WALL, _WOOD, _INSIDE, _GLEAM, _POST, _DYED = range(8)
+_PAIRED, _FOURFOLD = 8, 16  # cells to a pixel from which its edges may move by an eighth of it, to even columns or more
+_MOST = 255  # cells in one count, which is taken out of the words as a byte
+_DIGITS = np.uint64(8)
+_ROW = np.uint64(
+    272
+)  # words from one row of working memory to the next: even columns, 128 words at most, then odd ones
+_ODD = np.uint64(136)
+_BITS, _STACKS, _OTHERS = np.uint64(0), np.uint64(7) * _ROW, np.uint64(15) * _ROW  # where bits and stacks start
+_SCRATCH = 23 * 272
+_SUMS = np.uint64(16)  # words that hold the sums of all lanes, in 16 bits each
 
 _ZERO = np.uint64(0)
-_BYTE = np.uint64(8)
-_ONES = np.uint64(0x0101010101010101)
+_ONE, _TWO, _THREE, _FOUR, _EIGHT = np.uint64(1), np.uint64(2), np.uint64(3), np.uint64(4), np.uint64(8)
+_NIBBLES, _PAIRS, _SINGLES = np.uint64(0x0F0F0F0F0F0F0F0F), np.uint64(0x3333333333333333), np.uint64(0x5555555555555555)
 _HALVES = np.uint64(0x00FF00FF00FF00FF)
 
 
-@gate
-def _kinds_of_row(planes, decor, stride, words, y, bits):
-    """Write where in lattice row y a cell of each kind is to `bits`: for each kind the even, then the odd columns."""
-    start = (y >> 1) * stride
-    above = start - stride * (1 - (y & 1))
-    for parity in range(2):
-        plane, sand_at = 2 * (y & 1) + parity, parity * words
-        lit_at, wall_at = sand_at + 2 * words, sand_at + 4 * words
-        for word in range(words):
-            sand, walls = planes[SAND + plane, start + word], planes[WALLS + plane, start + word]
-            covered = _ZERO
-            if above >= 0:
-                covered = planes[SAND + (plane ^ 2), above + word] | planes[WALLS + (plane ^ 2), above + word]
-            bits[sand_at + word] = sand
-            bits[lit_at + word] = sand & ~covered
-            bits[wall_at + word] = walls
-            if decor is not None:
-                first, second = decor[plane, start + word], decor[4 + plane, start + word]
-                air, at = ~(sand | walls), wall_at + 2 * words + word
-                bits[at] = walls & first
-                bits[at + 2 * words] = air & first & ~second
-                bits[at + 4 * words] = air & second & ~first
-                bits[at + 6 * words] = air & first & second
+def shift_edges(columns, words):
+    """Return the edges between pixels, int32 lattice columns, moved a little so that columns can be counted together.
+
+    Where pixels are wide enough, an edge has an even number of columns before it in its lane, or a multiple of four.
+    """
+    narrowest = int(np.diff(columns).min())
+    group = 4 if narrowest >= _FOURFOLD else 2 if narrowest >= _PAIRED else 1
+    lane = 2 * words
+    first = columns // lane * lane
+    moved = first + np.minimum((columns - first + group // 2) // group * group, lane)
+    return np.where(moved > columns[-1], moved - group, moved).astype(np.int32)
 
 
 @gate
-def _add_rows(bits, carries, digits, stacks):
-    """Add three rows of bits to the stacks, whose counts have `digits` digits, two at least."""
-    for i in range(carries.size):
-        x, y, z = bits[0, i], bits[1, i], bits[2, i]
-        low, high = x ^ y ^ z, (x & y) | (z & (x ^ y))
-        ones, twos = stacks[0, i], stacks[1, i]
-        carry = ones & low
-        stacks[0, i] = ones ^ low
-        stacks[1, i] = twos ^ high ^ carry
-        carries[i] = (twos & high) | (carry & (twos ^ high))
-    for digit in range(2, digits):
-        for i in range(carries.size):
-            count = stacks[digit, i]
-            stacks[digit, i] = count ^ carries[i]
-            carries[i] &= count
-
-
-@gate
-def _stack_rows(planes, decor, stride, words, top, bottom, bits, carries, stacks):
-    """Count the cells of each kind of the lattice rows from `top` in every column; return the digits of the counts."""
-    digits = 2
-    while (bottom - top) >> digits:
-        digits += 1
-    stacks[:digits] = _ZERO
-    for first in range(top, bottom, _AT_ONCE):
-        for k in range(_AT_ONCE):
-            if first + k < bottom:
-                _kinds_of_row(planes, decor, stride, words, first + k, bits[k])
-            else:
-                bits[k] = _ZERO
-        _add_rows(bits, carries, digits, stacks)
-    return digits
-
-
-@gate
-def _sum_lanes(stacks, first, words, digits, counts, sums):
-    """Write to sums[j] how many cells the words before the j-th of a stack's row have in each lane; say if any."""
-    some = _ZERO
-    for digit in range(digits):
-        for word in range(words):
-            some |= stacks[digit, first + word]
-    if some == _ZERO:
-        return False
-    for word in range(words):
-        for k in range(8):
-            counts[k] = (stacks[0, first + word] >> np.uint64(k)) & _ONES
-        for digit in range(1, digits):
-            bits = stacks[digit, first + word]
-            for k in range(8):
-                counts[k] |= ((bits >> np.uint64(k)) & _ONES) << np.uint64(digit)
-        for k in range(8):
-            sums[word + 1, k] = sums[word, k] + (counts[k] & _HALVES)
-            sums[word + 1, 8 + k] = sums[word, 8 + k] + ((counts[k] >> _BYTE) & _HALVES)
-    return True
-
-
-@gate
-def _place_of_sum(lane, word):
-    """Return where the sum of a lane before a word is, in the sums as a flat uint16 array."""
-    return (word * _SUMS + 8 * ((lane >> 3) & 1) + (lane & 7)) * 4 + (lane >> 4)
-
-
-@gate
-def _find_edges(edges, words, lanes, places):
-    """Write the lane of each edge between pixels, and the place of its sum, for the even and the odd columns."""
+def _columns_together(edges, words):
+    """Return how many columns, 4, 2 or 1, never lie on both sides of an edge."""
+    group = 4
     for i in range(edges.size):
-        for parity in range(2):
-            before = (edges[i] + 1 - parity) >> 1  # so many columns of this parity
-            lane = min(before // words, BITS - 1)
-            lanes[parity, i] = lane
-            places[parity, i] = _place_of_sum(lane, before - lane * words)
+        inside = edges[i] % (2 * words)
+        while inside % group:
+            group >>= 1
+    return group
 
 
 @gate
-def _count_spans(sums, words, lanes, places, before, counts):
-    """Add to `counts` the cells between every two edges."""
+def _full_sum(x, y, z):
+    """Return the digit and the carry of the sum of three bits."""
+    return x ^ y ^ z, (x & y) | (z & (x ^ y))
+
+
+@gate
+def _lit(planes, plane, other, start, above, first, word):
+    """Return where the sand of a word has nothing on it; first: it is that of the uppermost row."""
+    covered = planes[SAND + other, above + word] | planes[WALLS + other, above + word]
+    return planes[SAND + plane, start + word] & (~covered | first)
+
+
+@gate
+def _of_colour(planes, plane, at, colour):
+    """Return where the cells of a word have a colour."""
+    low = planes[COLOURS + plane, at] ^ (_ZERO - np.uint64(~colour & 1))
+    middle = planes[COLOURS + 4 + plane, at] ^ (_ZERO - np.uint64(~(colour >> 1) & 1))
+    return low & middle & (planes[COLOURS + 8 + plane, at] ^ (_ZERO - np.uint64(~(colour >> 2) & 1)))
+
+
+@gate
+def _bits_of_row(planes, decor, dyed, kind, stride, words, y, scratch, row):
+    """Write where in lattice row y there are cells of a kind: first the even, then the odd columns."""
+    start = np.uint64((y >> 1) * stride)
+    above = np.uint64(max(0, (y >> 1) - (1 - (y & 1))) * stride)
+    first = _ZERO - np.uint64(y == 0)
+    for parity in range(2):
+        plane, to = 2 * (y & 1) + parity, row + np.uint64(parity) * _ODD
+        other = plane ^ 2
+        if kind in (_GRAINS, _WALL):
+            what = plane + (SAND if kind == _GRAINS else WALLS)
+            for word in range(words):
+                scratch[to + word] = planes[what, start + word]
+        elif kind == _LIT:
+            for word in range(words):
+                scratch[to + word] = _lit(planes, plane, other, start, above, first, word)
+        elif kind >= _DYED:
+            if dyed is not None:
+                for word in range(words):
+                    scratch[to + word] = _of_colour(planes, plane, start + word, kind - _DYED + 1)
+        elif decor is not None:
+            _bits_of_decor(planes, decor, kind, plane, start, words, scratch, to)
+
+
+@gate
+def _bits_of_decor(planes, decor, kind, plane, start, words, scratch, to):
+    not_first, not_second = _ZERO - np.uint64(kind == _GLEAM), _ZERO - np.uint64(kind == _INSIDE)
+    for word in range(words):
+        walls = planes[WALLS + plane, start + word]
+        first, second = decor[plane, start + word], decor[4 + plane, start + word]
+        if kind == _WOOD:
+            scratch[to + word] = walls & first
+        else:
+            air = ~(planes[SAND + plane, start + word] | walls)
+            scratch[to + word] = air & (first ^ not_first) & (second ^ not_second)
+
+
+@gate
+def _add_rows(scratch, first, words):
+    """Add seven rows of bits to the stacks, from their word `first`."""
+    for i in range(first, first + words):
+        at = _BITS + i
+        one, two = _full_sum(scratch[at], scratch[at + _ROW], scratch[at + _TWO * _ROW])
+        at += _THREE * _ROW
+        other, other_two = _full_sum(scratch[at], scratch[at + _ROW], scratch[at + _TWO * _ROW])
+        one, last_two = _full_sum(one, other, scratch[at + _THREE * _ROW])
+        two, four = _full_sum(two, other_two, last_two)
+        at = _STACKS + i
+        scratch[at], carry = _full_sum(scratch[at], one, _ZERO)
+        scratch[at + _ROW], carry = _full_sum(scratch[at + _ROW], two, carry)
+        scratch[at + _TWO * _ROW], carry = _full_sum(scratch[at + _TWO * _ROW], four, carry)
+        for digit in range(_THREE, _DIGITS):
+            count = scratch[at + digit * _ROW]
+            scratch[at + digit * _ROW] = count ^ carry
+            carry &= count
+
+
+@gate
+def _clear(scratch, first, size):
+    for i in range(size):
+        scratch[first + i] = _ZERO
+
+
+@kernel
+def _stack_rows(planes, decor, dyed, kind, stride, words, top, bottom, scratch):
+    """Count the cells of a kind of the lattice rows from `top` in every column."""
+    for digit in range(_DIGITS):
+        _clear(scratch, _STACKS + digit * _ROW, _ODD + words)
+    for first in range(top, bottom, 7):
+        for k in range(7):
+            row = _BITS + np.uint64(k) * _ROW
+            if first + k < bottom:
+                _bits_of_row(planes, decor, dyed, kind, stride, words, first + k, scratch, row)
+            else:
+                _clear(scratch, row, _ODD + words)
+        _add_rows(scratch, _ZERO, words)
+        _add_rows(scratch, _ODD, words)
+
+
+@gate
+def _add_parities(scratch, words):
+    """Write the sums of the counts of even and of odd columns to the other stacks."""
+    for i in range(words):
+        carry = _ZERO
+        for digit in range(_DIGITS):
+            at = digit * _ROW + i
+            one, other = scratch[_STACKS + at], scratch[_STACKS + at + _ODD]
+            scratch[_OTHERS + at], carry = _full_sum(one, other, carry)
+
+
+@gate
+def _add_neighbours(scratch, words):
+    """Write the sums of every two words' counts in the other stacks; an odd one out has nothing beside it."""
+    for digit in range(_DIGITS):
+        scratch[_OTHERS + digit * _ROW + words] = _ZERO
+    for i in range((words + _ONE) >> _ONE):
+        carry = _ZERO
+        for digit in range(_DIGITS):
+            at = digit * _ROW
+            one, other = scratch[_OTHERS + at + _TWO * i], scratch[_OTHERS + at + _TWO * i + _ONE]
+            scratch[_STACKS + at + i], carry = _full_sum(one, other, carry)
+
+
+@gate
+def _swapped(x, y, shift, mask):
+    """Return two words that have changed the bits under `mask` of one for those `shift` higher of the other."""
+    t = ((x >> shift) ^ y) & mask
+    return x ^ (t << shift), y ^ t
+
+
+@gate
+def _transpose(scratch, stacks, size):
+    """Make bytes of the counts, in place: that of lane 8b + r becomes byte b of word r of its stack."""
+    for i in range(size):
+        at = stacks + i
+        lower = at + _FOUR * _ROW
+        a, b, c, d = scratch[at], scratch[at + _ROW], scratch[at + _TWO * _ROW], scratch[at + _THREE * _ROW]
+        e, f, g, h = scratch[lower], scratch[lower + _ROW], scratch[lower + _TWO * _ROW], scratch[lower + _THREE * _ROW]
+        a, e = _swapped(a, e, _FOUR, _NIBBLES)
+        b, f = _swapped(b, f, _FOUR, _NIBBLES)
+        c, g = _swapped(c, g, _FOUR, _NIBBLES)
+        d, h = _swapped(d, h, _FOUR, _NIBBLES)
+        a, c = _swapped(a, c, _TWO, _PAIRS)
+        b, d = _swapped(b, d, _TWO, _PAIRS)
+        e, g = _swapped(e, g, _TWO, _PAIRS)
+        f, h = _swapped(f, h, _TWO, _PAIRS)
+        scratch[at], scratch[at + _ROW] = _swapped(a, b, _ONE, _SINGLES)
+        scratch[at + _TWO * _ROW], scratch[at + _THREE * _ROW] = _swapped(c, d, _ONE, _SINGLES)
+        scratch[lower], scratch[lower + _ROW] = _swapped(e, f, _ONE, _SINGLES)
+        scratch[lower + _TWO * _ROW], scratch[lower + _THREE * _ROW] = _swapped(g, h, _ONE, _SINGLES)
+
+
+@gate
+def _add_to_sums(scratch, counted, sums, at):
+    """Write the sums at a place, from those before it and the bytes of one word."""
+    for r in range(_EIGHT):
+        counts = scratch[counted + r * _ROW]
+        sums[at + r] = sums[at - _SUMS + r] + (counts & _HALVES)
+        sums[at + _EIGHT + r] = sums[at - _EIGHT + r] + ((counts >> _EIGHT) & _HALVES)
+
+
+@gate
+def _find_edges(edges, words, group, lanes, places):
+    """Write the lane of each edge between pixels, and the place of its sum in the sums as a flat uint16 array."""
+    for i in range(edges.size):
+        lane = min(edges[i] // (2 * words), BITS - 1)
+        lanes[i], places[i] = lane, _place_of_sum(lane, (edges[i] - lane * 2 * words + group - 1) // group)
+
+
+@gate
+def _place_of_sum(lane, before):
+    """Return where the sum is of what `before` places have counted in a lane."""
+    return np.uint32((before * 16 + 8 * ((lane >> 3) & 1) + (lane & 7)) * 4 + (lane >> 4))
+
+
+@gate
+def _count_spans(sums, size, lanes, places, before, counts):
+    """Add to `counts` what was counted between every two edges; a lane has `size` sums."""
     before[0] = 0
     for lane in range(BITS - 1):
-        before[lane + 1] = before[lane] + np.int32(sums[_place_of_sum(lane, words)])
+        before[lane + 1] = before[lane] + np.int32(sums[_place_of_sum(lane, size)])
     last = before[lanes[0]] + np.int32(sums[places[0]])
-    for i in range(counts.size):
-        edge = before[lanes[i + 1]] + np.int32(sums[places[i + 1]])
+    for i in range(np.uint64(counts.size)):
+        edge = before[lanes[i + _ONE]] + np.int32(sums[places[i + _ONE]])
         counts[i] += edge - last
         last = edge
 
 
-@gate
-def _mix_row(counts, columns, rows, lights, channels, levels, line, left):
-    """Write the colours of a row of pixels, from the counts of each kind in it."""
-    for channel in range(3):
-        for i in range(counts.shape[1]):
-            cells = np.float64(np.int32(columns[i + 1] - columns[i]) * rows)
-            light = 0.0
-            for kind in range(counts.shape[0]):
-                light += counts[kind, i] * lights[1 + kind, channel]
-            levels[channel, i] = np.int32(lights[0, channel] + light / cells + 0.5)
-    for i in range(counts.shape[1]):
-        line[left + i] = channels[0, levels[0, i]] | channels[1, levels[1, i]] | channels[2, levels[2, i]]
+@kernel
+def _count_kind(scratch, words, group, lanes, places, sums, flat, before, counts):
+    """Add to `counts` the cells of the kind that has been stacked in each pixel."""
+    size = words
+    if group == 1:
+        _transpose(scratch, _STACKS, words)
+        _transpose(scratch, _STACKS + _ODD, words)
+        for word in range(words):
+            _add_to_sums(scratch, _STACKS + word, sums, (_TWO * word + _ONE) * _SUMS)
+            _add_to_sums(scratch, _STACKS + _ODD + word, sums, (_TWO * word + _TWO) * _SUMS)
+        size = _TWO * words
+    else:
+        _add_parities(scratch, words)
+        stacks = _OTHERS
+        if group == 4:
+            _add_neighbours(scratch, words)
+            stacks, size = _STACKS, (words + _ONE) >> _ONE
+        _transpose(scratch, stacks, size)
+        for word in range(size):
+            _add_to_sums(scratch, stacks + word, sums, (word + _ONE) * _SUMS)
+    _count_spans(flat, np.int64(size), lanes, places, before, counts)
 
 
 @kernel
-def draw_density(planes, decor, stride, words, columns, rows, lights, channels, pixels, top, left):
+def _mix_row(counts, cells, lights, channels, light, line, left):
+    """Write the colours of a row of pixels, from the counts of each kind and the share of a cell in each pixel."""
+    for channel in range(3):
+        light[channel] = np.float32(lights[0, channel] + 0.5)
+        for kind in range(counts.shape[0]):
+            each = np.float32(lights[1 + kind, channel])
+            for i in range(counts.shape[1]):
+                light[channel, i] += np.float32(counts[kind, i]) * cells[i] * each
+        for i in range(counts.shape[1]):
+            light[channel, i] = min(max(light[channel, i], np.float32(0.0)), np.float32(LIGHTS - 1))
+    first = np.uint64(left)
+    for i in range(np.uint64(counts.shape[1])):
+        red, green, blue = np.uint32(light[0, i]), np.uint32(light[1, i]), np.uint32(light[2, i])
+        line[first + i] = channels[0, red] | channels[1, green] | channels[2, blue]
+
+
+@kernel
+def draw_density(planes, decor, dyed, stride, words, columns, rows, lights, channels, pixels, top, left):
     """Draw the mean light of the cells of each pixel into `pixels`, an (h, w) uint32 array, in place.
 
-    decor: None, or what stands still behind or in the cells, see core.decor. columns: int32, the lattice columns
-    between which the pixels from `left` lie, one more than they are, all different. rows: int32, the same for the rows
-    from `top`. lights: (1 + KINDS + DECOR_KINDS, 3) float64, the light of air in levels of 0 … LIGHTS - 1, then what a
-    cell of each kind adds to it. channels: (3, LIGHTS) uint32, each level as part of a colour.
+    decor: None, or what stands still behind or in the cells, see core.decor. dyed: None, or True where sand has
+    colours. columns: int32, the lattice columns between which the pixels from `left` lie, one more than they are, all
+    different; those that `shift_edges` gives are drawn sooner. rows: int32, the same for the rows from `top`. lights:
+    (1 + kinds, 3) float64, the light of air in levels of 0 … LIGHTS - 1, then what a cell of each kind adds to it: the
+    KINDS, with decor the DECOR_KINDS, with colours the DYES. channels: (3, LIGHTS) uint32, a level as part of a colour.
     """
-    kinds = KINDS if decor is None else KINDS + DECOR_KINDS
-    width, size = len(columns) - 1, kinds * 2 * words
-    bits, carries = np.empty((_AT_ONCE, size), np.uint64), np.empty(size, np.uint64)
-    stacks, in_byte = np.empty((_DIGITS, size), np.uint64), np.empty(8, np.uint64)
-    sums = np.zeros((words + 1, _SUMS), np.uint64)
-    flat = sums.reshape(-1).view(np.uint16)
-    lanes, places = np.empty((2, width + 1), np.int32), np.empty((2, width + 1), np.int32)
+    width, group = len(columns) - 1, _columns_together(columns, words)
+    kinds = KINDS + (0 if decor is None else DECOR_KINDS) + (0 if dyed is None else DYES)
+    scratch = np.zeros(_SCRATCH, np.uint64)
+    sums = np.zeros((2 * words + 1) * 16, np.uint64)
+    flat = sums.view(np.uint16)
+    lanes, places = np.empty(width + 1, np.uint32), np.empty(width + 1, np.uint32)
     before, counts = np.empty(BITS, np.int32), np.empty((kinds, width), np.int32)
-    levels = np.empty((3, width), np.int32)
-    _find_edges(columns, words, lanes, places)
+    cells, light = np.empty(width, np.float32), np.empty((3, width), np.float32)
+    _find_edges(columns, words, group, lanes, places)
+    most = _MOST // group
     for i in range(len(rows) - 1):
         counts[:] = 0
-        for first in range(rows[i], rows[i + 1], MOST_ROWS):
-            after = min(first + MOST_ROWS, rows[i + 1])
-            digits = _stack_rows(planes, decor, stride, words, first, after, bits, carries, stacks)
-            for part in range(2 * kinds):
-                if _sum_lanes(stacks, part * words, words, digits, in_byte, sums):
-                    _count_spans(flat, words, lanes[part & 1], places[part & 1], before, counts[part >> 1])
-        _mix_row(counts, columns, rows[i + 1] - rows[i], lights, channels, levels, pixels[top + i], left)
+        for k in range(kinds):
+            kind = k + DECOR_KINDS if decor is None and k >= KINDS else k
+            for first in range(rows[i], rows[i + 1], most):
+                after = min(first + most, rows[i + 1])
+                _stack_rows(planes, decor, dyed, kind, stride, np.uint64(words), first, after, scratch)
+                _count_kind(scratch, np.uint64(words), group, lanes, places, sums, flat, before, counts[k])
+        for j in range(width):
+            cells[j] = np.float32(1.0) / np.float32((columns[j + 1] - columns[j]) * (rows[i + 1] - rows[i]))
+        _mix_row(counts, cells, lights, channels, light, pixels[top + i], left)

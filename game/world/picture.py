@@ -3,7 +3,7 @@
 import numpy as np
 
 from game.core.decor import decor_of
-from game.core.density_pixels import draw_density
+from game.core.density_pixels import KINDS, draw_density, shift_edges
 from game.core.pixels import TEXTURE, draw_cells, pairs_of, shades_of
 from game.core.planes import WALLS, layout
 from game.world import light
@@ -46,7 +46,8 @@ class Painter:
         self.view, self._world = view, None
         self._counts = view.dense and self._lights is not None
         if self._counts:
-            self._columns, self._rows = view.column_edges, view.row_edges
+            self._columns = shift_edges(view.column_edges, layout(*view.shape).words)
+            self._rows = view.row_edges
         else:
             self._columns, self._rows = view.columns.astype(np.uint32), view.rows
 
@@ -112,7 +113,9 @@ class Painter:
         where, columns, rows = world.layout, self._columns, self._rows[top - first : bottom - first + self._counts]
         what = world.planes, self._decor, where.stride, where.words, columns, rows
         if self._counts:
-            draw_density(*what, self._lights, self._channels, pixels, top, left)
+            what = world.planes, self._decor, None, where.stride, where.words, columns, rows
+            lights = self._lights if self._decor is not None else self._lights[: 1 + KINDS]
+            draw_density(*what, lights, self._channels, pixels, top, left)
         else:
             draw_cells(*what, self._shades, self._pairs, self._samples, self._blends, pixels, top, left)
 

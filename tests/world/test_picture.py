@@ -7,6 +7,7 @@ from hypothesis import strategies as st
 
 from game import Rule, advance, load_scene
 from game.core.decor import decorate
+from game.core.density_pixels import shift_edges
 from game.core.pixels import AIR, GRAIN, SHADES, SURFACE, TEXTURE, WALL
 from game.world import light
 from game.world.action import MATERIALS, Flip, Paint, apply
@@ -123,7 +124,7 @@ def test_a_pixel_of_many_cells_has_their_mean_light(cell):
     lit = np.vstack([sand[:1], sand[1:] & ~(sand | walls)[:-1]])
     places = np.where(lit, SURFACE, np.where(sand, GRAIN, np.where(walls, WALL, AIR)))
     means = light_of(palette(NIGHT)).mean(axis=1)[places]
-    rows, columns = view.row_edges, view.column_edges
+    rows, columns = view.row_edges, shift_edges(view.column_edges, world.layout.words)
     for y, x in np.random.default_rng(7).integers(0, shown.shape[:2], (200, 2)):
         part = means[rows[y] : rows[y + 1], columns[x] : columns[x + 1]]
         assert shown[y, x] == pytest.approx(part.mean(axis=(0, 1)), abs=0.005)
