@@ -37,7 +37,9 @@ def shown(player):
 def is_fresh(player):
     """Return whether what is on the stage is what would be drawn there from nothing."""
     player.pointer = None
-    player.wait(100)
+    while any(each.shown for each in player.toy.overlays):
+        player.now_s += 60  # what is said goes away
+        player.wait(1)
     before = shown(player)
     player.toy.stage.refresh()
     player.frame()
