@@ -1,0 +1,152 @@
+"""The soak: the window under random input for minutes or hours, watched for errors, lost grains and growing memory.
+
+    python -m game.play.soak --minutes 120 --seed 1
+
+prints a line a minute, and ends with status 1 at the first thing that is wrong: an exception, a grain that is not
+accounted for, or more memory than the budget. What it saves goes to a folder that is removed. The same seed gives the
+same input, though not the same frames, since those depend on the clock.
+"""
+
+import argparse
+import os
+import sys
+import tempfile
+import time
+import traceback
+from collections import deque
+
+import pygame
+
+from game.play.hand import Hand
+from game.play.toy import Toy
+from game.play.window import Window
+from game.world import prepare
+from game.world.scene import load_scene
+from game.world.settings import Settings
+
+MEMORY_MB = 64  # for the past
+BUDGET_MB = 300  # growth after the first minute: the past of two sessions, large scenes, kernels compiled late
+CALM_S = 20.0  # input comes in waves: so long it is busy, and so long it is calm
+BUSY, CALM = 0.8, 0.02  # the share of frames in which something is done
+TOLD = 40  # events that are told of when something goes wrong
+SIZE = 1000, 700
+LONGEST_PAGE = 200  # frames for which a page may cover the sand
+RESTART_S = 45.0  # now and then another scene is opened, so that not every lattice gets painted full
+SCENES = "hourglass", "ledges", "galton", "fullhd", "blank", "paper", "maze"
+
+
+class SoakError(Exception):
+    """Something is wrong with the toy."""
+
+
+class Soak:
+    """The toy, the hand that uses it, and what is known about it so far."""
+
+    def __init__(self, seed):
+        settings = Settings()
+        settings["memory"] = MEMORY_MB
+        window, scene = Window(SIZE), load_scene(SCENES[0])
+        for _, act in (*prepare.steps(scene.rule, scene.made_of, True), *prepare.later_steps(scene.rule)):
+            act()
+        self.toy = Toy(window, scene, settings=settings)
+        self.toy.recovery.start()
+        self.hand = Hand(seed)
+        self.frames = self.acts = 0
+        self.longest_s, self.slow = 0.0, []  # the longest frame, and the events in it
+        self.recent = deque(maxlen=TOLD)
+        self._opened = 0
+
+    def run(self, seconds, say):
+        """Play for so long; raise SoakError, or whatever the toy raises, for the first thing that is wrong."""
+        start = before = time.perf_counter()
+        told, least_mb = 0, None
+        while before - start < seconds:
+            now = time.perf_counter()
+            self._frame(now, now - before, now - start)
+            before = now
+            if now - start >= 60 * (told + 1):
+                told += 1
+                used = resident_mb()
+                least_mb = least_mb or used
+                say(f"{told} min: {self.told(used)}")
+                self.longest_s, self.slow = 0.0, []
+                if used - least_mb > BUDGET_MB:
+                    raise SoakError(f"memory grew from {least_mb:.0f} to {used:.0f} MB, budget {BUDGET_MB} MB")
+
+    def told(self, used_mb):
+        """Return how it stands, in one line."""
+        world, past = self.toy.session.world, self.toy.session.timeline.shelf.bytes / 2**20
+        slow = ", ".join(map(_name, self.slow)) or "no event"
+        return (
+            f"{self.frames:,} frames, {self.acts:,} events, {self.toy.session.scene.name}: {world.grains:,} grains, "
+            f"{used_mb:.0f} MB, {past:.0f} of them the past, longest frame {self.longest_s * 1e3:.0f} ms ({slow})"
+        )
+
+    def _frame(self, now_s, elapsed_s, since_s):
+        toy = self.toy
+        busy = BUSY if since_s // CALM_S % 2 == 0 else CALM
+        events = self.hand.events(toy.window.size, busy)
+        if toy.page and self.frames % LONGEST_PAGE == 0:
+            events.append(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_ESCAPE, mod=0, unicode=""))
+        self.recent.extend(events)
+        self.acts += len(events)
+        if since_s // RESTART_S > self._opened:
+            self._opened += 1
+            toy.load(SCENES[self._opened % len(SCENES)])
+        toy.frame(events, round(elapsed_s * 1e9), now_s, self.hand.pointer)
+        toy.running = True  # whatever the hand did to leave
+        self.frames += 1
+        took_s = time.perf_counter() - now_s
+        if took_s > self.longest_s:
+            self.longest_s, self.slow = took_s, events
+        self._audit()
+
+    def _audit(self):
+        session = self.toy.session
+        if not session.account.balanced(session.world):
+            raise SoakError(f"{session.world.grains} grains, wanted {session.account.expected}")
+
+
+def _name(event):
+    """Return what an event was, in a word or two."""
+    kind = pygame.event.event_name(event.type)
+    return f"{kind} {pygame.key.name(event.key)}" if event.type == pygame.KEYDOWN else kind
+
+
+def resident_mb():
+    """Return the memory that the process takes, in MB."""
+    try:
+        with open("/proc/self/statm", encoding="ascii") as file:
+            return int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE") / 2**20
+    except OSError:  # no Linux
+        import resource
+
+        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
+
+
+def main(arguments=None):
+    """Soak the toy and return the exit status."""
+    parser = argparse.ArgumentParser(prog="python -m game.play.soak", description="The window under random input.")
+    parser.add_argument("--minutes", type=float, default=5.0, help="how long (default: 5)")
+    parser.add_argument("--seed", type=int, default=0, help="picks the input")
+    options = parser.parse_args(arguments)
+    with tempfile.TemporaryDirectory() as folder:
+        os.environ["SANDGLASS_DATA_DIR"] = os.environ["SANDGLASS_CONFIG_DIR"] = folder
+        pygame.font.init()
+        soak = Soak(options.seed)
+        try:
+            soak.run(60 * options.minutes, lambda line: print(line, flush=True))
+            soak.toy.close()
+        except Exception as error:
+            if not isinstance(error, SoakError):
+                traceback.print_exc()
+            for event in soak.recent:
+                print(event, file=sys.stderr)
+            print(f"after {soak.frames:,} frames, seed {options.seed}: {error}", file=sys.stderr)
+            return 1
+    print(f"nothing wrong: {soak.told(resident_mb())}")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,34 @@
+"""A short soak: the window under random input; and the soak finds what is wrong."""
+
+import pygame
+import pytest
+
+from game.play.hand import Hand
+from game.play.soak import Soak, SoakError
+
+
+@pytest.fixture
+def soak():
+    yield Soak(seed=7)
+    pygame.display.quit()
+
+
+def test_nothing_goes_wrong_in_some_seconds_of_random_input(soak):
+    soak.run(3.0, say=print)
+    assert soak.frames > 50 and soak.acts > 20
+    soak.toy.close()
+
+
+def test_a_grain_that_is_lost_is_found_out(soak):
+    soak.run(0.2, say=print)
+    soak.toy.session.world.planes[0] = 0
+    with pytest.raises(SoakError, match="grains, wanted"):
+        soak.run(1.0, say=print)
+
+
+def test_the_same_seed_gives_the_same_input():
+    pygame.display.init()
+    first, second = Hand(3), Hand(3)
+    pairs = [(str(first.events((640, 480), 1)), str(second.events((640, 480), 1))) for _ in range(300)]
+    assert all(a == b for a, b in pairs)
+    pygame.display.quit()
