@@ -42,13 +42,14 @@ class Legend:
         """Draw the card, where there is room for it."""
         px, line = theme.px, theme.line_height(look.SMALL)
         rect = pygame.Rect(area.x + px(AWAY), self._toy.stage.area.y + px(AWAY), px(WIDTH), 0)
-        rect.height = 2 * px(PAD) + px(24) + px(BAR) + line + px(4) + line * len(self._lines[1:])
+        title, *lines = self._lines if 2 * rect.width <= area.width else self._lines[:2]
+        rect.height = 2 * px(PAD) + px(24) + px(BAR) + line + px(4) + line * len(lines)
         if rect.right + px(AWAY) > area.right or 2 * rect.height > area.height:
             return
         draw_box(surface, theme, rect.inflate(-2 * px(5), -2 * px(5)))
         stale, row = self._forecasting.stale, rect.inflate(-2 * px(PAD), -2 * px(PAD))
         row.height = px(20)
-        paint.words(surface, theme, row, self._lines[0], look.HEADING, look.HANDLE, 0)
+        paint.words(surface, theme, row, title, look.HEADING, look.HANDLE, 0)
         if stale:
             paint.words(surface, theme, row, "stale", look.BODY, look.BRIGHT_ACCENT, 1)
         row.y, row.height = row.y + px(24), px(BAR)
@@ -57,7 +58,7 @@ class Legend:
         for share, align in (("never", 0), ("50 %", 0.5), ("always", 1)):
             paint.words(surface, theme, row, share, look.SMALL, look.FAINT, align)
         row.y += line + px(4)
-        for text in self._lines[1:]:
+        for text in lines:
             paint.words(surface, theme, row, text, look.SMALL, look.DIM, 0)
             row.y += line
 
@@ -75,7 +76,8 @@ class Legend:
         lines = [self._title(), _said_of_runs(answer), when, self._here()]
         part, exact = answer.question.still.part, answer.question.about[0].exact
         if (part.height, part.width) != shape:
-            lines.append(f"Of {part.width:,}×{part.height:,} cells in sight{'' if exact else ', as if walled in'}")
+            cells = f"{part.width:,}×{part.height:,} cells"
+            lines += [f"Of the {cells} in sight"] if exact else [f"Only the middle {cells},", "as if walled in"]
         return tuple(line for line in lines if line)
 
     def _here(self):
