@@ -18,6 +18,11 @@ SIGHTS = {
         [[0.367322, 0.860646, -0.227968], [0.280085, 0.672501, 0.047413], [-0.011820, 0.042940, 0.968881]]
     ),
 }
+RARE_SIGHTS = {
+    "tritanopia": np.array(
+        [[1.255528, -0.076749, -0.178779], [-0.078411, 0.930809, 0.147602], [0.004733, 0.691367, 0.303900]]
+    ),
+}
 TO_XYZ = np.array(
     [[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.0721750], [0.0193339, 0.1191920, 0.9503041]]
 )
@@ -38,7 +43,7 @@ def contrast(one, other):
 
 def lab(rgb, sight="usual"):
     """Return CIE L*a*b* of RGB in 0 … 255 as an eye of that sight sees it."""
-    seen = TO_XYZ @ np.clip(SIGHTS[sight] @ light(rgb), 0, 1) / WHITE
+    seen = TO_XYZ @ np.clip((SIGHTS | RARE_SIGHTS)[sight] @ light(rgb), 0, 1) / WHITE
     x, y, z = np.where(seen > (6 / 29) ** 3, np.cbrt(seen), seen / (3 * (6 / 29) ** 2) + 4 / 29)
     return 116 * y - 16, 500 * (x - y), 200 * (y - z)
 

@@ -77,10 +77,11 @@ def _lit(planes, plane, other, start, above, first, word):
 
 @gate
 def _of_colour(planes, plane, at, colour):
-    """Return where the cells of a word have a colour."""
+    """Return where the cells of a word have sand of a colour."""
     low = planes[COLOURS + plane, at] ^ (_ZERO - np.uint64(~colour & 1))
     middle = planes[COLOURS + 4 + plane, at] ^ (_ZERO - np.uint64(~(colour >> 1) & 1))
-    return low & middle & (planes[COLOURS + 8 + plane, at] ^ (_ZERO - np.uint64(~(colour >> 2) & 1)))
+    high = planes[COLOURS + 8 + plane, at] ^ (_ZERO - np.uint64(~(colour >> 2) & 1))
+    return planes[SAND + plane, at] & low & middle & high
 
 
 @gate

@@ -2,13 +2,14 @@
 
 A cell's *look* is a number of four bits, worked out from bit planes, 64 cells at a time: what it is, and what lies
 around it. With the *shade* of its place, two bits, it makes a code, and the codes of two neighbours together find the
-colours of both in one table. To draw more kinds of cells, make the looks or the shades wider here, and in `pairs_of`.
+colours of both in one table. Where sand has colours, a look has two bits more, which leaves room for those of a colour
+in the looks of sand, and the table is a larger one.
 """
 
 import numpy as np
 
 from game.core.jit import gate, kernel
-from game.core.planes import BITS, SAND, WALLS
+from game.core.planes import BITS, COLOURS, DEPTH, SAND, WALLS
 from game.core.streams import blend_row
 
 TEXTURE = 64  # side of the texture of shades, in cells; a power of two
@@ -19,6 +20,8 @@ AIR, AIR_BY_WALL, INSIDE, INSIDE_BY_WALL = range(4)  # inside of a glass
 GRAIN, SURFACE, UNDER, GRAIN_BY_WALL = range(4, 8)  # a surface has nothing on it, and lies on what is under it
 WALL, RIM, EDGE, GLEAM = range(8, 12)  # a rim has no wall above or at its left, an edge below or at its right
 WOOD, WOOD_RIM, WOOD_EDGE, POST = range(12, 16)
+DYED_LOOKS = 64  # looks in a world with colours: those above unless it is sand …
+DYED_SAND = 32  # … whose looks start here: GRAIN in each colour, then SURFACE in each, and so on
 
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
@@ -85,6 +88,21 @@ def _bits_of_row(planes, decor, stride, words, y, parity, bits):
 
 
 @gate
+def _dye_bits(planes, stride, words, y, parity, bits, more):
+    """Make the looks of a row in `bits` those of a world with colours; more: (2, words) uint64, the two upper bits."""
+    start, plane = (y >> 1) * stride, COLOURS + 2 * (y & 1) + parity
+    for word in range(words):
+        at = start + word
+        low, high, sand_or_wood, wall = bits[0, word], bits[1, word], bits[2, word], bits[3, word]
+        sand = sand_or_wood & ~wall
+        bits[0, word] = (sand & planes[plane, at]) | (low & ~sand)
+        bits[1, word] = (sand & planes[plane + 4, at]) | (high & ~sand)
+        bits[2, word] = (sand & planes[plane + 8, at]) | (sand_or_wood & ~sand)
+        bits[3, word] = wall | (sand & low)
+        more[0, word], more[1, word] = sand & high, sand
+
+
+@gate
 def _transposed(x):
     """Return a matrix of 8×8 bits with its rows and columns changed over (Warren, Hacker's Delight, 7-3)."""
     t = (x ^ (x >> np.uint64(7))) & np.uint64(0x00AA00AA00AA00AA)
@@ -115,6 +133,25 @@ def _spread(bits, words, room, looks):
 
 
 @gate
+def _spread_more(more, words, room, looks):
+    """Add the two upper bits of the looks in a world with colours: those of two neighbours are the uppermost four.
+
+    more: (4, words) uint64, the bits of the even and of the odd columns.
+    """
+    for part in range(BITS // 8):
+        shift = np.uint64(8 * part)
+        for word in range(words):
+            four = _ZERO
+            for k in range(4):
+                four |= ((more[k, word] >> shift) & _BYTE) << np.uint64(8 * k)
+            room[word] = _transposed(four)
+        for bit in range(8):
+            first, place = (8 * part + bit) * words, np.uint64(8 * bit)
+            for word in range(words):
+                looks[first + word] |= np.uint16(((room[word] >> place) & _BYTE) << np.uint64(12))
+
+
+@gate
 def _colours_of_row(looks, shades, pairs, colours):
     """Look up the colours of every two neighbours of a row at once."""
     for k in range(looks.size):
@@ -130,15 +167,15 @@ def _copy(source, first, target, start, size):
 
 
 @kernel
-def draw_cells(planes, decor, stride, words, columns, rows, shades, pairs, samples, blends, pixels, top, left):
+def draw_cells(planes, decor, dyed, stride, words, columns, rows, shades, pairs, samples, blends, pixels, top, left):
     """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
-    decor: None, or what stands still behind or in the cells, see core.decor. columns: uint32, the lattice column of
-    each pixel column from `left`. rows: int32, the lattice row of each pixel row from `top`. shades: (TEXTURE,
-    64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives. samples, blends: those of
-    `core.streams.blend_row`, or no samples.
+    decor: None, or what stands still behind or in the cells, see core.decor. dyed: None, or True where sand has
+    colours. columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the lattice row of each
+    pixel row from `top`. shades: (TEXTURE, 64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives.
+    samples, blends: those of `core.streams.blend_row`, or no samples.
     """
-    bits = np.empty((8, words), np.uint64)
+    bits, more = np.empty((8, words), np.uint64), np.empty((4, words), np.uint64)
     room = np.empty(words, np.uint64)
     looks = np.empty(BITS * words, np.uint16)
     colours = np.empty(BITS * words, np.uint64)
@@ -153,10 +190,15 @@ def draw_cells(planes, decor, stride, words, columns, rows, shades, pairs, sampl
             continue
         _bits_of_row(planes, decor, stride, words, y, 0, bits[:4])
         _bits_of_row(planes, decor, stride, words, y, 1, bits[4:])
+        if dyed is not None:
+            _dye_bits(planes, stride, words, y, 0, bits[:4], more[:2])
+            _dye_bits(planes, stride, words, y, 1, bits[4:], more[2:])
         _spread(bits, words, room, looks)
+        if dyed is not None:
+            _spread_more(more, words, room, looks)
         _colours_of_row(looks, shades[y % TEXTURE], pairs, colours)
         if samples.shape[0]:
-            blend_row(planes, decor, samples, stride, words, y, shades[y % TEXTURE], blends, cells)
+            blend_row(planes, decor, dyed, samples, stride, words, y, shades[y % TEXTURE], blends, cells)
         if unscaled:
             _copy(cells, columns[0], line, left, width)
         else:
@@ -164,15 +206,23 @@ def draw_cells(planes, decor, stride, words, columns, rows, shades, pairs, sampl
                 line[left + j] = cells[columns[j]]
 
 
-def pairs_of(palette):
-    """Return the (4096,) uint64 colours of two neighbours, the left one in the lower half.
+def dyed(look):
+    """Return the looks in a world with colours of what would look so without: eight for sand, by colour, else one."""
+    if GRAIN <= look <= GRAIN_BY_WALL:
+        return np.arange(2**DEPTH) + DYED_SAND + 2**DEPTH * (look - GRAIN)
+    return np.array([look])
 
-    palette: (LOOKS, SHADES) uint32. A pair's place, from the lowest bit: the left one's look, the right one's, the left
-    one's shade, the right one's.
+
+def pairs_of(palette):
+    """Return the uint64 colours of two neighbours, the left one in the lower half.
+
+    palette: (LOOKS or DYED_LOOKS, SHADES) uint32. A pair's place, from the lowest bit: four bits of the left one's
+    look, four of the right one's, the left one's shade, the right one's; then the upper bits of the looks, if any.
     """
-    codes = palette.T.astype(np.uint64)  # by shade, then look
-    left, right = codes[None, :, None, :], codes[:, None, :, None] << np.uint64(32)
-    return (left | right).ravel()
+    place = np.arange(len(palette) ** 2 * SHADES**2)
+    left, right = place & 15 | place >> 8 & 0b110000, place >> 4 & 15 | place >> 10 & 0b110000
+    codes = palette.astype(np.uint64)
+    return codes[left, place >> 8 & 3] | codes[right, place >> 10 & 3] << np.uint64(32)
 
 
 def shades_of(texture, words):

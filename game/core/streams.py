@@ -7,7 +7,7 @@ out. The cells of each sample are kept as planes, and how many samples hold sand
 import numpy as np
 
 from game.core.jit import gate, kernel
-from game.core.planes import WALLS
+from game.core.planes import COLOURS, DEPTH, WALLS
 
 SAMPLES = 4  # a cycle of any schedule: what repeats with it is the same in every mean
 PLANES = 4  # of a sample: sand alone
@@ -32,12 +32,23 @@ def _bit(word, place):
 
 
 @gate
-def blend_row(planes, decor, samples, stride, words, y, shades, blends, cells):
+def _colour_at(planes, dyed, plane, at, place):
+    """Return the colour of the grain that is in a cell or was the last one there."""
+    if dyed is None:
+        return _ZERO
+    colour = _ZERO
+    for k in range(DEPTH):
+        colour |= _bit(planes[COLOURS + 4 * k + plane, at], place) << np.uint64(k)
+    return colour
+
+
+@gate
+def blend_row(planes, decor, dyed, samples, stride, words, y, shades, blends, cells):
     """Put the mean of the samples into `cells`, the colours of lattice row y, wherever not all samples are the same.
 
     samples: (SAMPLES, PLANES, length) uint64. shades: the row's shades, those of two neighbours a uint16, as
-    `pixels.shades_of` gives them. blends: (SAMPLES - 1, 4, SHADES) uint32, the colours of
-    what holds sand in 1 … samples, before each kind of place of `decor`, in each shade.
+    `pixels.shades_of` gives them. blends: (colours, SAMPLES - 1, 4, SHADES) uint32, what holds sand of each colour in
+    1 … samples looks like before each kind of place of `decor`, in each shade. dyed: as for `pixels.draw_cells`.
     """
     start = (y >> 1) * stride
     for parity in range(2):
@@ -58,7 +69,9 @@ def blend_row(planes, decor, samples, stride, words, y, shades, blends, cells):
                     ground = _bit(decor[plane, at], place) | (_bit(decor[4 + plane, at], place) << _ONE)
                 pair = np.uint64(place) * np.uint64(words) + np.uint64(word)
                 shade = (shades[pair] >> np.uint16(8 + 2 * parity)) & np.uint16(3)
-                cells[2 * pair + np.uint64(parity)] = blends[count - _ONE, ground, shade]
+                cells[2 * pair + np.uint64(parity)] = blends[
+                    _colour_at(planes, dyed, plane, at, place), count - _ONE, ground, shade
+                ]
 
 
 @kernel

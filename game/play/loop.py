@@ -28,7 +28,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     size = remembered if all(remembered) and not cell else window_size(scene, cell or scene.cell, theme)
     window = Window(size, fullscreen)
     dense = scene.shape[1] > window.size[0] or scene.shape[0] > window.size[1]
-    if not _make_ready(window, theme, prepare.steps(scene.rule, scene.made_of, dense)):
+    if not _make_ready(window, theme, prepare.steps(scene.rule, scene.made_of, dense, scene.colours is not None)):
         return 0
     toy = Toy(window, scene, seed, p, settings)
     threading.Thread(target=_do_all, args=(prepare.later_steps(scene.rule),), daemon=True).start()

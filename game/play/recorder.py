@@ -9,7 +9,7 @@ import pygame
 
 from game.play.gif import Gif
 from game.world import picture
-from game.world.colours import NIGHT, palette
+from game.world.colours import NIGHT, dyed_palette
 from game.world.moment import Moment
 from game.world.places import new_file
 from game.world.snapshot import nearest
@@ -156,7 +156,7 @@ class Film:
         scale = min(cell, LARGEST_GIF[0] / width, LARGEST_GIF[1] / height)
         scale = int(scale) if scale >= 1 else scale
         size = max(1, round(height * scale)), max(1, round(width * scale))
-        self.colours = _rgb(palette(colours, walls).reshape(1, -1)).tobytes()  # the palette of a GIF
+        self.colours = _rgb(dyed_palette(colours, walls).reshape(1, -1)).tobytes()  # the palette of a GIF
         places = itertools.count()
         view = View(shape, 0, 0, *size[::-1])
         self._painter = picture.Painter(view, colours, walls, lambda *_: next(places), mixes=False)

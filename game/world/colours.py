@@ -7,6 +7,7 @@ import numpy as np
 from game.core.pixels import (
     AIR,
     AIR_BY_WALL,
+    DYED_LOOKS,
     EDGE,
     GLEAM,
     GRAIN,
@@ -23,8 +24,16 @@ from game.core.pixels import (
     WOOD,
     WOOD_EDGE,
     WOOD_RIM,
+    dyed,
 )
+from game.core.planes import DEPTH
 
+LIGHT_ON_SAND = {  # by what the darkest and the lightest shade of dyed sand differ from its mean
+    GRAIN: (-0.06, 0.07),
+    SURFACE: (0.32, 0.44),
+    UNDER: (0.12, 0.2),
+    GRAIN_BY_WALL: (-0.2, -0.11),
+}
 WALL_LOOKS = ("stone", "glass", "wood")  # what a scene's walls can be made of; in glass its long level runs are wooden
 
 
@@ -53,6 +62,7 @@ class Colours(NamedTuple):
     stream: int  # the look of sand that falls: it is to be seen before air, even where it is thin
     walls: dict  # {one of WALL_LOOKS: Walls}
     panel: dict  # {role: RGB} of the controls and the words
+    dyes: tuple  # the means of sand of the colours but the first, in the order of `dyes.COLOURS`
 
     def looks(self, walls="stone"):
         """Return {look: Range} of all looks in a scene whose walls are made of `walls`."""
@@ -69,6 +79,18 @@ class Colours(NamedTuple):
         dark, light = self.looks(walls)[look]
         return tuple((d + bright) / 2 for d, bright in zip(dark, light, strict=True))
 
+    def dye(self, number):
+        """Return {look: Range} of sand of a colour, by its number: what its mean makes of amber's light and shadow."""
+        if number == 0:
+            return self.sand
+        grain = self.dyes[number - 1]
+        return {look: Range(*(_lit(grain, by) for by in LIGHT_ON_SAND[look])) for look in self.sand}
+
+
+def _lit(colour, by):
+    """Return a colour made darker by a part of it (below 0), or by so much nearer to white."""
+    return tuple(round(part + (by * (255 - part) if by > 0 else by * part)) for part in colour)
+
 
 def rgb(red, green, blue):
     """Return the pixel value 0xRRGGBB."""
@@ -79,9 +101,24 @@ def palette(colours, walls="stone", map_rgb=rgb):
     """Return the (LOOKS, SHADES) uint32 pixel values, `map_rgb` turning red, green, blue in 0 … 255 into one."""
     values = np.empty((LOOKS, SHADES), np.uint32)
     for look, (dark, light) in sorted(colours.looks(walls).items()):
-        for shade in range(SHADES):
-            mixed = (d + (bright - d) * shade // (SHADES - 1) for d, bright in zip(dark, light, strict=True))
-            values[look, shade] = map_rgb(*mixed)
+        values[look] = _shades(dark, light, map_rgb)
+    return values
+
+
+def _shades(dark, light, map_rgb):
+    """Return SHADES pixel values from dark to light."""
+    parts = [[d + (b - d) * shade // (SHADES - 1) for d, b in zip(dark, light, strict=True)] for shade in range(SHADES)]
+    return [map_rgb(*each) for each in parts]
+
+
+def dyed_palette(colours, walls="stone", map_rgb=rgb):
+    """Return the (DYED_LOOKS, SHADES) uint32 pixel values of a world with colours, as `palette` does; 0 is no look."""
+    plain, values = colours.looks(walls), np.zeros((DYED_LOOKS, SHADES), np.uint32)
+    ranges = {look: plain[look] for look in sorted(plain.keys() - colours.sand.keys())}
+    for number in range(2**DEPTH):
+        ranges |= {dyed(look)[number]: each for look, each in colours.dye(number).items()}
+    for look, (dark, light) in ranges.items():
+        values[look] = _shades(dark, light, map_rgb)
     return values
 
 
@@ -131,6 +168,15 @@ NIGHT = Colours(
         "stone": (112, 103, 92),
         "ring": (116, 172, 220),
     },
+    dyes=(
+        (199, 106, 82),
+        (244, 180, 198),
+        (129, 87, 140),
+        (99, 119, 198),
+        (99, 180, 155),
+        (168, 192, 138),
+        (240, 229, 203),
+    ),
 )
 
 DAY = Colours(
@@ -174,6 +220,15 @@ DAY = Colours(
         "stone": (132, 122, 108),
         "ring": (24, 102, 176),
     },
+    dyes=(
+        (141, 57, 12),
+        (230, 153, 149),
+        (102, 23, 93),
+        (55, 73, 148),
+        (12, 153, 181),
+        (117, 120, 41),
+        (229, 200, 142),
+    ),
 )
 
 HIGH_CONTRAST = Colours(
@@ -217,6 +272,15 @@ HIGH_CONTRAST = Colours(
         "stone": (140, 150, 170),
         "ring": (90, 200, 255),
     },
+    dyes=(
+        (185, 71, 92),
+        (252, 138, 149),
+        (151, 80, 172),
+        (117, 124, 237),
+        (98, 207, 185),
+        (147, 171, 83),
+        (255, 250, 235),
+    ),
 )
 
 THEMES = {colours.name: colours for colours in (NIGHT, DAY, HIGH_CONTRAST)}

@@ -2,13 +2,13 @@
 
 DYED = {  # RGB in a picture file; the window has colours of its own for each theme
     "amber": (222, 170, 84),
-    "terracotta": (196, 88, 60),
-    "rose": (226, 132, 140),
-    "plum": (124, 70, 118),
-    "indigo": (62, 78, 150),
-    "teal": (58, 148, 156),
-    "moss": (128, 152, 66),
-    "ivory": (240, 230, 204),
+    "terracotta": (199, 106, 82),
+    "rose": (244, 180, 198),
+    "plum": (129, 87, 140),
+    "indigo": (99, 119, 198),
+    "teal": (99, 180, 155),
+    "moss": (168, 192, 138),
+    "ivory": (240, 229, 203),
 }
 COLOURS = tuple(DYED)  # a colour's number is its place here; the first is that of sand that was given none
 AMBER = COLOURS[0]

@@ -3,7 +3,7 @@
 import numpy as np
 
 from game.core.density_pixels import LIGHTS
-from game.core.pixels import AIR, GLEAM, GRAIN, INSIDE, POST, SURFACE, WALL, WOOD
+from game.core.pixels import AIR, GLEAM, GRAIN, INSIDE, POST, SURFACE, WALL, WOOD, dyed
 from game.core.streams import SAMPLES
 
 
@@ -14,30 +14,35 @@ def linear(values):
 
 
 def lights(palette):
-    """Return the light of air, then what each kind of cell that core.density_pixels counts adds to it.
+    """Return the light of air, then what each kind of cell that core.density_pixels counts adds to it, in three parts.
 
-    palette: (LOOKS, shades) 0xRRGGBB. Result: (1 + kinds, 3) float64 in levels of light.
+    The parts are (1 + KINDS, 3), (DECOR_KINDS, 3) and (DYES, 3) float64 in levels of light, as they are counted always,
+    in decorated lattices and where sand has colours. palette: (DYED_LOOKS, shades) 0xRRGGBB.
     """
-    components = np.stack([palette >> 16 & 255, palette >> 8 & 255, palette & 255], axis=-1)
-    look = linear(components / 255).mean(axis=1) * (LIGHTS - 1)
-    air = look[AIR]
-    plain = [air, look[GRAIN] - air, look[SURFACE] - look[GRAIN], look[WALL] - air]
-    return np.stack([*plain, look[WOOD] - look[WALL], look[INSIDE] - air, look[GLEAM] - air, look[POST] - air])
+    look = linear(_components(palette) / 255).mean(axis=1) * (LIGHTS - 1)
+    air, grains = look[AIR], look[dyed(GRAIN)]
+    plain = [air, grains[0] - air, look[dyed(SURFACE)[0]] - grains[0], look[WALL] - air]
+    decor = [look[WOOD] - look[WALL], look[INSIDE] - air, look[GLEAM] - air, look[POST] - air]
+    return np.stack(plain), np.stack(decor), grains[1:] - grains[0]
+
+
+def _components(palette):
+    return np.stack([palette >> 16 & 255, palette >> 8 & 255, palette & 255], axis=-1)
 
 
 def blends(palette, channels, stream):
-    """Return the colours of cells that held sand in some of the samples: (SAMPLES - 1, 4, shades) pixel values.
+    """Return what cells look like that held sand in some of the samples, pixel values: (dyes, SAMPLES - 1, 4, shades).
 
-    palette: (LOOKS, shades) 0xRRGGBB. channels: those of the pixels. stream: the look of sand that falls. Before a
+    palette: (DYED_LOOKS, shades) 0xRRGGBB. channels: those of the pixels. stream: the look of sand that falls. Before a
     darker ground light is mixed; before a brighter one sRGB values are, or thin streams would be lost in its glare. See
     `core.streams`.
     """
-    values = np.stack([palette >> 16 & 255, palette >> 8 & 255, palette & 255], axis=-1) / 255
-    grounds, sand = values[[AIR, INSIDE, GLEAM, POST]], values[stream]
+    values = _components(palette) / 255
+    grounds, sand = values[[AIR, INSIDE, GLEAM, POST]], values[dyed(stream)][:, None, None]
     share = np.arange(1, SAMPLES)[:, None, None, None] / SAMPLES
     mixed_light = (1 - share) * linear(grounds) + share * linear(sand)
     mixed_values = linear((1 - share) * grounds + share * sand)
-    is_darker = (grounds.sum(axis=-1) < sand.sum(axis=-1))[None, ..., None]
+    is_darker = (grounds.sum(axis=-1) < sand.sum(axis=-1))[..., None]
     levels = np.round(np.where(is_darker, mixed_light, mixed_values) * (LIGHTS - 1)).astype(int)
     return sum(channels[part][levels[..., part]] for part in range(3))
 

@@ -3,14 +3,14 @@
 import numpy as np
 
 from game.core.decor import decor_of
-from game.core.density_pixels import KINDS, draw_density, shift_edges
-from game.core.pixels import TEXTURE, draw_cells, pairs_of, shades_of
+from game.core.density_pixels import draw_density, shift_edges
+from game.core.pixels import LOOKS, TEXTURE, draw_cells, dyed, pairs_of, shades_of
 from game.core.planes import WALLS, layout
 from game.world import light
-from game.world.colours import NIGHT, palette, rgb
+from game.world.colours import NIGHT, dyed_palette, rgb
 from game.world.streams import NO_SAMPLES
 
-NO_BLENDS = np.zeros((0, 0, 0), np.uint32)
+NO_BLENDS = np.zeros((0, 0, 0, 0), np.uint32)
 MOST_DECORATED = 2**24  # cells: in a larger lattice, a painted wall would hold a frame up for too long
 
 
@@ -30,11 +30,13 @@ class Painter:
 
         mixes: cells that share a pixel mix their light; otherwise it shows one of them.
         """
-        self._pairs = pairs_of(palette(colours, walls, map_rgb))
+        codes = dyed_palette(colours, walls, map_rgb)
+        plain = np.array([dyed(look)[0] for look in range(LOOKS)])
+        self._pairs, self._dyed_pairs = pairs_of(codes[plain]), pairs_of(codes)
         self._shades = shades_of(texture(), layout(*view.shape).words)
-        self._lights = light.lights(palette(colours, walls)) if mixes else None
+        self._lights = light.lights(dyed_palette(colours, walls)) if mixes else None
         self._channels = light.channels(map_rgb) if mixes else None
-        self._blends = light.blends(palette(colours, walls), self._channels, colours.stream) if mixes else NO_BLENDS
+        self._blends = light.blends(dyed_palette(colours, walls), self._channels, colours.stream) if mixes else NO_BLENDS
         self._samples, self._moving = NO_SAMPLES, ()  # as drawn last: see `world.streams`
         self._seen = 0  # the stamp of the world drawn last
         self._glass = walls == "glass" and view.shape[0] * view.shape[1] <= MOST_DECORATED
@@ -111,13 +113,15 @@ class Painter:
     def _draw_rows(self, world, pixels, top, bottom):
         left, first, _, _ = self.view.seen
         where, columns, rows = world.layout, self._columns, self._rows[top - first : bottom - first + self._counts]
-        what = world.planes, self._decor, where.stride, where.words, columns, rows
+        coloured = True if world.coloured else None
+        what = world.planes, self._decor, coloured, where.stride, where.words, columns, rows
         if self._counts:
-            what = world.planes, self._decor, None, where.stride, where.words, columns, rows
-            lights = self._lights if self._decor is not None else self._lights[: 1 + KINDS]
-            draw_density(*what, lights, self._channels, pixels, top, left)
+            plain, decor, dyes = self._lights
+            lights = [plain, *([] if self._decor is None else [decor]), *([dyes] if coloured else [])]
+            draw_density(*what, np.concatenate(lights), self._channels, pixels, top, left)
         else:
-            draw_cells(*what, self._shades, self._pairs, self._samples, self._blends, pixels, top, left)
+            pairs = self._dyed_pairs if coloured else self._pairs
+            draw_cells(*what, self._shades, pairs, self._samples, self._blends, pixels, top, left)
 
 
 def _merged(spans):

@@ -24,16 +24,17 @@ KINDS = {  # a rule for each kind of kernel
 }
 
 
-def steps(rule, walls, dense=False):
+def steps(rule, walls, dense=False, coloured=False):
     """Return [(what, act)], every kernel that playing a scene with `rule` needs; call each act to make it ready.
 
-    walls: what they are made of. dense: the scene has more cells than the window has pixels.
+    walls: what they are made of. dense: the scene has more cells than the window has pixels. coloured: its sand has
+    colours.
     """
-    return [("drawing from afar", lambda: _draw_from_afar(walls))] * dense + [
-        ("the layout of the cells", lambda: (_dot().sand, _dot().flip())),
-        (_kind_of(rule), lambda: advance(_dot(), rule, 1)),
-        ("drawing", lambda: _draw(walls)),
-        ("the brush", lambda: apply(Paint("sand", (0.0, 0.0), (1.0, 1.0), 1), _dot(), rule)),
+    return [("drawing from afar", lambda: _draw_from_afar(walls, coloured))] * dense + [
+        ("the layout of the cells", lambda: (_dot(coloured).sand, _dot(coloured).flip())),
+        (_kind_of(rule), lambda: advance(_dot(coloured), rule, 1)),
+        ("drawing", lambda: _draw(walls, coloured)),
+        ("the brush", lambda: apply(Paint("sand", (0.0, 0.0), (1.0, 1.0), 1), _dot(coloured), rule)),
     ]
 
 
@@ -49,24 +50,31 @@ def later_steps(rule):
         ("drawing glass from afar", lambda: _draw_from_afar("glass")),
         ("the forecast", _forecast),
         ("the measures", lambda: pile_heights(_dot())),
-    ] + [(what, lambda other=other: advance(_dot(), other, 1)) for what, other in others]
+        *((f"{what} of colours", act) for walls in ("glass", "stone") for what, act in steps(rule, walls, True, True)),
+        ("figures of colours", lambda: _figures(coloured=True)),
+    ] + [
+        (what, lambda other=other, coloured=coloured: advance(_dot(coloured), other, 1))
+        for coloured in (False, True)
+        for what, other in others
+    ]
 
 
-def _dot():
+def _dot(coloured=False):
     """Return a world of a few cells, made when asked for, since making one compiles the layout."""
-    return World.from_cells(np.eye(2, dtype=bool), np.zeros((2, 2), bool))
+    sand = np.eye(2, dtype=bool)
+    return World.from_cells(sand, np.zeros((2, 2), bool), colours=sand.astype(np.uint8) if coloured else None)
 
 
-def _draw(walls):
-    world, streams = _dot(), Streams()
+def _draw(walls, coloured=False):
+    world, streams = _dot(coloured), Streams()
     for _ in range(2):
         advance(world, KINDS["sand that always moves"], 1)
         streams.note(world)
     Painter(View.fit((2, 2), 0, 0, 2, 2), walls=walls).draw(world, np.zeros((2, 2), np.uint32), streams=streams)
 
 
-def _draw_from_afar(walls):
-    Painter(View.fit((2, 2), 0, 0, 1, 1), walls=walls).draw(_dot(), np.zeros((1, 1), np.uint32))
+def _draw_from_afar(walls, coloured=False):
+    Painter(View.fit((2, 2), 0, 0, 1, 1), walls=walls).draw(_dot(coloured), np.zeros((1, 1), np.uint32))
 
 
 def _turn():
@@ -74,9 +82,9 @@ def _turn():
     draw_turned(picture, np.uint32(0), 1.0, 0.0, 1.0, picture.copy(), 0, 0, 2, 2)
 
 
-def _figures():
+def _figures(coloured=False):
     for act in (Draw("ellipse", "sand", (0.5, 0.5), (1.5, 1.5)), Fill("sand", (0.5, 0.5))):
-        apply(act, _dot(), Rule())
+        apply(act, _dot(coloured), Rule())
 
 
 def _forecast():

@@ -44,7 +44,7 @@ def test_a_pixel_mixes_what_numpy_counts_in_its_cells(shape, size, share, decora
     walls = generator.random(shape) < 0.2
     sand = (generator.random(shape) < share) & ~walls
     first, second = generator.random((2, *shape)) < 0.5
-    colours = generator.integers(0, 1 + DYES, shape, np.uint8) * sand if dyed else None
+    colours = generator.integers(0, 1 + DYES, shape, np.uint8) if dyed else None
     decor = pack(first, second)[:8] if decorated else None
     where, pixels = layout(*shape), np.full((size[0] + 3, size[1] + 4), 5, np.uint32)
     rows, columns = edges(generator, shape[0], size[0]), edges(generator, shape[1], size[1])
@@ -59,7 +59,7 @@ def test_a_pixel_mixes_what_numpy_counts_in_its_cells(shape, size, share, decora
     if decorated:
         kinds += [walls & first, air & first & ~second, air & second & ~first, air & first & second]
     if dyed:
-        kinds += [colours == 1 + number for number in range(DYES)]
+        kinds += [sand & (colours == 1 + number) for number in range(DYES)]
     counts = [block_sums(cells, rows, columns).astype(np.float32) for cells in kinds]
     cell = np.float32(1) / (np.diff(rows)[:, None] * np.diff(columns)).astype(np.float32)
     wanted = np.full_like(pixels, 5)

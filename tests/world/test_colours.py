@@ -8,6 +8,7 @@ from game.core.pixels import (
     AIR,
     AIR_BY_WALL,
     GLEAM,
+    GRAIN,
     INSIDE,
     INSIDE_BY_WALL,
     LOOKS,
@@ -16,9 +17,10 @@ from game.core.pixels import (
     WOOD,
     WOOD_EDGE,
     WOOD_RIM,
+    dyed,
 )
-from game.world.colours import THEMES, WALL_LOOKS, palette, rgb
-from tests.eyes import SIGHTS, contrast, difference, lab
+from game.world.colours import THEMES, WALL_LOOKS, dyed_palette, palette, rgb
+from tests.eyes import RARE_SIGHTS, SIGHTS, contrast, difference, lab
 
 FREE = {"stone": (AIR, AIR_BY_WALL), "wood": (AIR, AIR_BY_WALL)}  # what lies about the walls of each kind
 FREE["glass"] = (*FREE["stone"], INSIDE, INSIDE_BY_WALL, GLEAM)
@@ -87,3 +89,28 @@ def test_every_look_has_its_shades_and_a_mean(colours, walls):
     for look, (dark, light) in colours.looks(walls).items():
         assert values[look, 0] == rgb(*dark) and values[look, -1] == rgb(*light)
         assert all(low <= mean <= high for low, mean, high in zip(dark, colours.mean(look, walls), light, strict=True))
+
+
+def mean(of_look):
+    return tuple((dark + light) / 2 for dark, light in zip(*of_look, strict=True))
+
+
+@EVERY_THEME
+@pytest.mark.parametrize("sight", [*SIGHTS, *RARE_SIGHTS])
+def test_every_eye_tells_sand_of_each_colour_from_the_others_and_from_air_and_walls(colours, sight):
+    sands = [lab(mean(colours.dye(number)[GRAIN]), sight) for number in range(8)]
+    assert min(difference(*pair) for pair in itertools.combinations(sands, 2)) > 8.5
+    looks = [each for walls in WALL_LOOKS for look, each in colours.looks(walls).items() if look not in colours.sand]
+    assert min(difference(one, lab(mean(each), sight)) for one in sands[1:] for each in looks) > 7
+
+
+@EVERY_THEME
+@EVERYWHERE
+def test_light_falls_on_every_colour_from_above(colours, walls):
+    values = dyed_palette(colours, walls)
+    for number in range(8):
+        looks = colours.dye(number)
+        brightness = [sum(lab(each)[0] for each in looks[look]) for look in sorted(looks)]
+        assert brightness[1] > brightness[2] > brightness[0] > brightness[3]
+        for look, (dark, light) in looks.items():
+            assert values[dyed(look)[number], 0] == rgb(*dark) and values[dyed(look)[number], -1] == rgb(*light)

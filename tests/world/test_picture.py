@@ -6,16 +6,22 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import Rule, advance, load_scene
+from game.core import pixels
 from game.core.decor import decorate
 from game.core.density_pixels import shift_edges
-from game.core.pixels import AIR, GRAIN, SHADES, SURFACE, TEXTURE, WALL
+from game.core.pixels import AIR, GRAIN, GRAIN_BY_WALL, SHADES, SURFACE, TEXTURE, WALL
 from game.world import light
 from game.world.action import MATERIALS, Flip, Paint, apply
-from game.world.colours import DAY, NIGHT, palette
+from game.world.colours import DAY, NIGHT, dyed_palette, palette
 from game.world.picture import Painter, texture
 from game.world.view import View
-from tests.cells import random_world
+from tests.cells import coloured, random_world
 from tests.looks import looks_of
+
+
+def dyed_look(look, colour):
+    """Return the look of a cell of a world with colours."""
+    return pixels.dyed(look)[colour if GRAIN <= look <= GRAIN_BY_WALL else 0]
 
 
 def drawn(world, view, height, width):
@@ -26,12 +32,16 @@ def drawn(world, view, height, width):
 
 @pytest.mark.parametrize("shape", [(1, 1), (2, 3), (61, 61), (30, 128), (31, 130), (9, 257)])
 @pytest.mark.parametrize("cell", [1, 2, 5])
-def test_every_pixel_has_the_colour_of_its_cell(shape, cell):
+@pytest.mark.parametrize("dyed", [False, True])
+def test_every_pixel_has_the_colour_of_its_cell(shape, cell, dyed):
     world = random_world(np.random.default_rng(1), *shape)
+    world = coloured(world, np.random.default_rng(2)) if dyed else world
     height, width = shape[0] * cell + 9, shape[1] * cell + 5
     view = View(shape, 3, 4, shape[1] * cell, shape[0] * cell)
     rows, columns = np.mgrid[0 : shape[0], 0 : shape[1]]
-    colours = palette(NIGHT)[looks_of(world.sand, world.walls), texture()[rows % TEXTURE, columns % TEXTURE]]
+    looks = looks_of(world.sand, world.walls)
+    dyes = np.array([dyed_look(look, number) for look, number in zip(looks.flat, world.colours.flat, strict=True)])
+    colours = dyed_palette(NIGHT)[dyes.reshape(shape), texture()[rows % TEXTURE, columns % TEXTURE]]
     wanted = np.full((height, width), 7, np.uint32)
     wanted[4 : 4 + view.height, 3 : 3 + view.width] = colours.repeat(cell, axis=0).repeat(cell, axis=1)
     assert (drawn(world, view, height, width) == wanted).all()
@@ -115,19 +125,28 @@ def light_of(values):
     return light.linear(np.stack([values >> 16 & 255, values >> 8 & 255, values & 255], axis=-1) / 255)
 
 
+def colour_light(number):
+    """Return by what light sand of a colour differs from amber sand, as (3,)."""
+    return np.subtract(*(light_of(dyed_palette(NIGHT)[pixels.dyed(GRAIN)[each]]).mean(axis=0) for each in (number, 0)))
+
+
 @pytest.mark.parametrize("cell", [0.05, 0.26, 1 / 3, 0.5, 0.81])
-def test_a_pixel_of_many_cells_has_their_mean_light(cell):
+@pytest.mark.parametrize("dyed", [False, True])
+def test_a_pixel_of_many_cells_has_their_mean_light(cell, dyed):
     world = random_world(np.random.default_rng(6), 261, 398)
+    world = coloured(world, np.random.default_rng(6)) if dyed else world
     view = View.near(world.shape, (2, 3, 120, 100), cell, (200, 130), 60, 50)
     shown = light_of(drawn(world, view, 110, 130)[view.seen[1] : view.seen[3], view.seen[0] : view.seen[2]])
     sand, walls = world.sand, world.walls
     lit = np.vstack([sand[:1], sand[1:] & ~(sand | walls)[:-1]])
     places = np.where(lit, SURFACE, np.where(sand, GRAIN, np.where(walls, WALL, AIR)))
     means = light_of(palette(NIGHT)).mean(axis=1)[places]
+    dyes = np.stack([colour_light(number) for number in range(8)])[world.colours]
+    means += np.where(sand[..., None], dyes, 0)
     rows, columns = view.row_edges, shift_edges(view.column_edges, world.layout.words)
     for y, x in np.random.default_rng(7).integers(0, shown.shape[:2], (200, 2)):
         part = means[rows[y] : rows[y + 1], columns[x] : columns[x + 1]]
-        assert shown[y, x] == pytest.approx(part.mean(axis=(0, 1)), abs=0.005)
+        assert shown[y, x] == pytest.approx(part.mean(axis=(0, 1)).clip(0, 1), abs=0.005)
 
 
 def test_a_world_that_rests_is_not_drawn_again():
