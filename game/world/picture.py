@@ -36,7 +36,9 @@ class Painter:
         self._shades = shades_of(texture(), layout(*view.shape).words)
         self._lights = light.lights(dyed_palette(colours, walls)) if mixes else None
         self._channels = light.channels(map_rgb) if mixes else None
-        self._blends = light.blends(dyed_palette(colours, walls), self._channels, colours.stream) if mixes else NO_BLENDS
+        self._blends = (
+            light.blends(dyed_palette(colours, walls), self._channels, colours.stream) if mixes else NO_BLENDS
+        )
         self._samples, self._moving = NO_SAMPLES, ()  # as drawn last: see `world.streams`
         self._seen = 0  # the stamp of the world drawn last
         self._glass = walls == "glass" and view.shape[0] * view.shape[1] <= MOST_DECORATED
