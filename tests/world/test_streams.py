@@ -5,17 +5,17 @@ import pytest
 
 from game import Rule, World, advance, load_scene
 from game.core.decor import decor_of
-from game.core.pixels import AIR, GLEAM, INSIDE, POST, SURFACE, TEXTURE
+from game.core.pixels import AIR, GLEAM, INSIDE, POST, SURFACE, TEXTURE, dyed
 from game.core.planes import unpack
 from game.core.streams import SAMPLES
 from game.world.action import Flip, Paint, apply
-from game.world.colours import NIGHT, THEMES, palette, rgb
+from game.world.colours import NIGHT, THEMES, dyed_palette, rgb
 from game.world.light import blends, channels, linear
 from game.world.picture import Painter, texture
 from game.world.session import Session
 from game.world.streams import FROM_SPEED, Streams
 from game.world.view import View
-from tests.cells import random_world
+from tests.cells import coloured, random_world
 from tests.eyes import SIGHTS, difference, lab
 
 RULE = Rule.with_p(0.7, "balanced")
@@ -42,22 +42,34 @@ def run(world, streams, iterations):
     return np.array(sand)
 
 
+def run_with_colours(world, streams, iterations, last):
+    """Do as `run` does, and note the colour of each cell's last grain in `last`, in place."""
+    sand = []
+    for _ in range(iterations):
+        sand += list(run(world, streams, 1))
+        last[world.sand] = world.colours[world.sand]
+    return np.array(sand)
+
+
 def components(pixels):
     return np.stack([pixels >> 16 & 255, pixels >> 8 & 255, pixels & 255], axis=-1).astype(int)
 
 
 @pytest.mark.parametrize("walls", ["stone", "glass"])
 @pytest.mark.parametrize("shape", [(1, 3), (2, 2), (37, 61), (40, 300), (90, 128)])
-def test_moving_cells_show_the_mean_of_a_cycle_and_others_what_they_are(shape, walls):
+@pytest.mark.parametrize("dyes", [False, True])
+def test_moving_cells_show_the_mean_of_a_cycle_and_others_what_they_are(shape, walls, dyes):
     world, streams = random_world(np.random.default_rng(4), *shape, sand=0.2, walls=0.05), Streams()
+    world = coloured(world, np.random.default_rng(5)) if dyes else world
+    last = world.colours
     for _ in range(8):
-        share = run(world, streams, 5)[-SAMPLES:].mean(axis=0)
+        share = run_with_colours(world, streams, 5, last)[-SAMPLES:].mean(axis=0)
         moving = (share > 0) & (share < 1)
         places = sum(unpack(decor_of(world.planes, world.layout), world.layout, 4 * bit) << bit for bit in range(2))
         grounds = np.array([AIR, INSIDE, GLEAM, POST] if walls == "glass" else [AIR] * 4)[places]
         y, x = np.mgrid[0 : shape[0], 0 : shape[1]] % TEXTURE
-        light = linear(components(palette(NIGHT, walls)) / 255)
-        sand, ground = light[SURFACE, texture()[y, x]], light[grounds, texture()[y, x]]
+        light = linear(components(dyed_palette(NIGHT, walls)) / 255)
+        sand, ground = light[dyed(SURFACE)[last], texture()[y, x]], light[grounds, texture()[y, x]]
         wanted = share[..., None] * sand + (1 - share[..., None]) * ground
         pixels = drawn(world, streams, walls)
         assert np.abs(linear(components(pixels) / 255) - wanted)[moving].max(initial=0) < 0.006
@@ -117,8 +129,8 @@ def test_large_lattices_and_slow_motion_are_drawn_cell_by_cell(shape, speed):
 @pytest.mark.parametrize("colours", THEMES.values(), ids=THEMES)
 @pytest.mark.parametrize("sight", SIGHTS)
 def test_even_the_thinnest_stream_can_be_seen_in_every_theme(colours, sight):
-    values = palette(colours, "glass")
-    for count in components(blends(values, channels(rgb), colours.stream)):
+    values = dyed_palette(colours, "glass")
+    for count in components(blends(values, channels(rgb), colours.stream))[0]:
         for ground, streams in zip((AIR, INSIDE, GLEAM), count, strict=False):
             air = lab(colours.air[ground].dark, sight)
             assert min(difference(lab(each, sight), air) for each in streams) > 9
