@@ -195,3 +195,14 @@ def test_the_forecast_follows_the_view_in_and_out(paper):
         if not view.dense:
             seen = laid[answer.levels[view.rows][:, view.columns]]
             assert (pixels[top:bottom, left:right] == seen).all() and seen.any()
+
+
+def test_a_veil_drawn_span_by_span_is_the_veil_drawn_at_once(paper):
+    see_forecast(paper)
+    veil, view = paper.toy.stage.veil, paper.toy.stage.view
+    once = np.random.default_rng(92).integers(0, 2**24, paper.toy.window.size[::-1]).astype(np.uint32)
+    by_spans = once.copy()
+    veil.draw(once, view, [(0, once.shape[0])], rgb)
+    for top in range(0, once.shape[0], 37):
+        veil.draw(by_spans, view, [(top, min(top + 37, once.shape[0]))], rgb)
+    assert (by_spans == once).all()

@@ -165,3 +165,11 @@ def test_a_forecast_never_takes_more_cells_than_it_may():
         part, exact = forecast_part(shape, Part.within(shape, *sight), 1000, 10**6)
         assert not exact and 0.9e6 < part.cells <= 10**6 and part.top % 2 == part.left % 2 == 0
     assert forecast_part((50, 60), Part.within((50, 60), 3, 3, 5, 5), 10, 3000) == (Part(0, 0, 50, 60), True)
+
+
+def test_without_a_newer_question_the_runs_go_on_to_the_last(asked, monkeypatch):
+    monkeypatch.setattr(forecaster, "PATIENCE_S", -1.0)
+    one = asked()
+    one.ask(question_of(random_world(np.random.default_rng(79), 9, 9)))
+    wait_for(lambda: not one.working)
+    assert one.answer.runs == 3000
