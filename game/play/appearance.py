@@ -12,7 +12,7 @@ def show(ui, settings):
     sizes = sorted({*SIZES, settings["ui_scale"]})
     tip = "Size of this panel and of all text; the sand gets what is left of the window"
     words = tuple(f"{100 * size:.0f} %" for size in sizes)
-    settings["ui_scale"] = sizes[ui.choice("Size", words, sizes.index(settings["ui_scale"]), tip=tip)]
+    settings["ui_scale"] = sizes[ui.choice("Scale", words, sizes.index(settings["ui_scale"]), tip=tip)]
     tip = "Shows falling sand as the mean of all that happens within a frame; the sand moves the same"
     settings["smooth_streams"] = ui.toggle("Smooth streams", settings["smooth_streams"], tip=tip)
     tip = "Turns the glass over at once, and leaves out glows and fades"

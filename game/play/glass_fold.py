@@ -25,7 +25,7 @@ class GlassFold:
 
     def lay_out(self, ui, toy):
         """Show the rows and obey what was done to them."""
-        self.open = ui.fold("Glass", self.open, tip="Make an hourglass")
+        self.open = ui.fold("Glass", self.open, tip="Makes an hourglass of any shape, and pours the sand into it")
         if not self.open:
             return
         glass = toy.session.scene.glass

@@ -15,7 +15,7 @@ from game.world.scene import scene_names
 
 PAPER_P = (0.25, 0.5, 0.75, 1.0)  # the four values of the paper
 WIDTH = 300  # pixels at scale 1
-NARROWEST = 200
+NARROWEST = 240  # at scale 1: all words of the controls still fit
 FAST = "Fast"  # the button that is held
 
 BLOCKS = {  # what each probability decides: corners a b c d before and after
@@ -31,6 +31,7 @@ SCHEDULE_TIP = (
     "The order in which partitions into blocks take turns. Margolus: two partitions, piles grow one side first. "
     "Paper: four, grains alternate sides. Balanced: the same four reordered, grains fall evenly and twice as fast."
 )
+SEVEN_TIP = "How likely sand moves, for each thing that can happen in a block of 2×2 cells"
 
 
 class Panel:
@@ -64,7 +65,7 @@ class Panel:
         names = self._scenes if scene.name in self._scenes else (*self._scenes, scene.name)
         titles = [toy.title_of(name) for name in names]
         now = names.index(scene.name)
-        chosen = ui.choice("Scene", titles, now, tip="Another world to start from")
+        chosen = ui.choice("Scene", titles, now, tip="Puts the sand and walls of another scene in place of these")
         if chosen != now:
             toy.load(names[chosen])
         if scene.notice:
@@ -99,7 +100,7 @@ class Panel:
         self._turning = held and (self._turning or changed is not rule)
 
     def _seven(self, rule, scene_rule):
-        self.all_seven = self.ui.fold("All seven probabilities", self.all_seven)
+        self.all_seven = self.ui.fold("All seven probabilities", self.all_seven, tip=SEVEN_TIP)
         if not self.all_seven:
             return rule
         for each in knob.PROBABILITIES:
@@ -117,14 +118,19 @@ class Panel:
     def _time(self, toy):
         ui, session = self.ui, toy.session
         ui.heading("Time")
-        tip = "Iterations per second"
+        tip = "How fast the sand runs, in iterations per second"
         session.clock.speed = ui.slider(
             "Speed", knob.SPEED, session.clock.speed, default=session.scene.speed, log=True, tip=tip
         )
         ui.row(2)
-        if ui.button("Go on" if session.paused else "Pause", key="Space", name="Pause", tip="Holds time"):
+        if ui.button(
+            "Go on" if session.paused else "Pause",
+            key="Space",
+            name="Pause",
+            tip="Holds the sand where it is, and lets it go on",
+        ):
             toy.commands.pause()
-        if ui.button("Step", key=".", tip="One iteration"):
+        if ui.button("Step", key=".", tip="Lets the sand move by one iteration"):
             toy.commands.step()
         ui.row(3)
         ui.button(FAST, key="Right", tip="Hold it: time goes as fast as the frames can hold")

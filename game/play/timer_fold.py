@@ -35,7 +35,8 @@ class TimerFold:
             toy.commands.toggle_timer()
         if ui.button("A glass for it", tip=f"Puts a glass that suits {spell(timer.wanted_s)} in place of this scene"):
             toy.open_scene(scene_of(glass_for(timer.wanted_s)), toy.session.seed)
-        toy.settings["chime"] = ui.toggle("Chime at the end", toy.settings["chime"])
+        tip = "A soft sound when the last grain has fallen"
+        toy.settings["chime"] = ui.toggle("Chime at the end", toy.settings["chime"], tip=tip)
         words = _told(timer)
         if words:
             ui.text(words)
