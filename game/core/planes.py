@@ -16,6 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from game.core.cells import BITS, pack_cells, turned_cells, unpack_cells
 from game.core.jit import gate, kernel
 
 SAND = 0  # first plane of sand
@@ -25,7 +26,6 @@ PLANES = 10
 COLOURS = 10  # first plane of colours, where a world has any: four planes for each bit, the lowest bit first
 DEPTH = 3  # bits of a colour
 COLOURED_PLANES = COLOURS + 4 * DEPTH
-BITS = 64
 
 # Planes start this many words apart, modulo a 4096-byte page: were all starts alike, as a width of 2**n makes them, a
 # store to one plane would stall loads from the others (4096 x 4096 ran at half the speed of 3840 x 2160).
@@ -66,11 +66,11 @@ def pack(sand, walls, colours=None):
     planes = empty(where, PLANES if colours is None else COLOURED_PLANES)
     planes[:] = 0
     planes[WALLS:COLOURS] = _FULL
-    _pack_cells(sand.view(np.uint8), planes[SAND : SAND + 4], where.words)
-    _pack_cells(walls.view(np.uint8), planes[WALLS : WALLS + 4], where.words)
+    pack_cells(sand.view(np.uint8), planes[SAND : SAND + 4], where.words)
+    pack_cells(walls.view(np.uint8), planes[WALLS : WALLS + 4], where.words)
     shift_walls(planes, where.rows, where.words)
     for bit, first in enumerate(colour_planes(planes)):
-        _pack_cells((colours >> bit) & 1, planes[first : first + 4], where.words)
+        pack_cells((colours >> bit) & 1, planes[first : first + 4], where.words)
     return planes
 
 
@@ -89,7 +89,7 @@ def aligned(words):
 def unpack(planes, where, first=SAND):
     """Return the cells of the four planes from `first` as an (H, W) bool array."""
     cells = np.empty((where.height, where.width), np.uint8)
-    _unpack_cells(planes[first : first + 4], where.words, cells)
+    unpack_cells(planes[first : first + 4], where.words, cells)
     return cells.view(np.bool_)
 
 
@@ -154,40 +154,15 @@ def bands(planes, where, first=SAND, height=64):
         yield unpack(planes[:, start:], band, first)
 
 
-def turn(planes, where):
-    """Turn the lattice by 180 degrees, in place."""
-    cells = [unpack(planes, where, SAND), unpack(planes, where, WALLS)]
-    if len(planes) > PLANES:
-        cells.append(unpack_colours(planes, where))
-    planes[:] = pack(*(np.ascontiguousarray(each[::-1, ::-1]) for each in cells))
-
-
-@kernel
-def _pack_cells(cells, planes, words):
-    """Set the bits of four planes to the values of cells, in place."""
-    height, width = cells.shape
-    for y in range(height):
-        for x in range(width):
-            plane = 2 * (y & 1) + (x & 1)
-            lane = (x >> 1) // words
-            word = (x >> 1) - lane * words
-            at = (y >> 1) * (words + 1) + word
-            bit = _ONE << np.uint64(lane)
-            if cells[y, x]:
-                planes[plane, at] |= bit
-            else:
-                planes[plane, at] &= ~bit
-
-
-@kernel
-def _unpack_cells(planes, words, cells):
-    height, width = cells.shape
-    for y in range(height):
-        for x in range(width):
-            lane = (x >> 1) // words
-            word = (x >> 1) - lane * words
-            bits = planes[2 * (y & 1) + (x & 1), (y >> 1) * (words + 1) + word]
-            cells[y, x] = (bits >> np.uint64(lane)) & _ONE
+def turned(planes, where, quarters):
+    """Return the planes of the lattice after so many quarter turns, clockwise."""
+    sand, walls = (turned_cells(unpack(planes, where, first), quarters) for first in (SAND, WALLS))
+    if len(planes) == PLANES:
+        return pack(sand, walls)
+    colours = np.zeros(sand.shape, np.uint8)
+    for bit, first in enumerate(colour_planes(planes)):
+        colours |= turned_cells(unpack(planes, where, first), quarters).view(np.uint8) << bit
+    return pack(sand, walls, colours * sand)
 
 
 @kernel

@@ -2,7 +2,6 @@
 
 import hashlib
 import math
-from dataclasses import replace
 
 import numpy as np
 
@@ -90,27 +89,16 @@ class World:
 
     def flip(self):
         """Turn the lattice by 180 degrees, in place; twice is the identity."""
-        bit_planes.turn(self.planes, self.layout)
+        self.planes[:] = bit_planes.turned(self.planes, self.layout, 2)
         self.fixtures = tuple(each.turned(2, self.shape) for each in self.fixtures)
         self.activity.wake()
 
     def turned(self, quarters):
         """Return the world after so many quarter turns, clockwise: a new one, its height and width exchanged if odd."""
-        cells = (self.sand, self.walls, self.colours) if self.coloured else (self.sand, self.walls)
-        cells = [np.ascontiguousarray(np.rot90(each, -quarters)) for each in cells]
-        layout = bit_planes.layout(*cells[0].shape)
+        height, width = self.shape[::-1] if quarters % 2 else self.shape
+        planes, layout = bit_planes.turned(self.planes, self.layout, quarters), bit_planes.layout(height, width)
         fixtures = tuple(each.turned(quarters, self.shape) for each in self.fixtures)
-        return World(bit_planes.pack(*cells), layout, self.iteration, self.seed, fixtures)
-
-    def within(self, sand, walls, colours=None):
-        """Return the world with other cells, its middle where it was: a new one at the same iteration.
-
-        sand, walls: (H, W) bool. colours: (H, W) uint8, or None for a world without.
-        """
-        down, across = ((new - old) // 2 for new, old in zip(sand.shape, self.shape, strict=True))
-        fixtures = tuple(replace(each, x=each.x + across, y=each.y + down) for each in self.fixtures)
-        layout = bit_planes.layout(*sand.shape)
-        return World(bit_planes.pack(sand, walls, colours), layout, self.iteration, self.seed, fixtures)
+        return World(planes, layout, self.iteration, self.seed, fixtures)
 
     def drop_fixtures(self, reached):
         """Take away the fixtures of which reached(column, row) is true for any cell, in place."""
