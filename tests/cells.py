@@ -38,3 +38,14 @@ def coloured(world, generator):
 def small_glass(height):
     """Return a thin Glass of that height."""
     return Glass(round(0.75 * height), height, height // 12, 1, curve=0.95, wall=1)
+
+
+def grains_over_a_pile_below_a_band():
+    """Return a World in which grains fall out of the first band of rows onto a pile whose top is in the second."""
+    sand, walls = np.zeros((1100, 12), bool), np.zeros((1100, 12), bool)
+    end = 2 * World.from_cells(sand, walls).activity.band_rows
+    walls[end + 5] = True
+    sand[end + 1 : end + 5] = True
+    for x in range(0, 12, 3):
+        sand[end - 9 - x, x] = True
+    return World.from_cells(sand, walls)

@@ -97,8 +97,8 @@ class Painter:
         if len(self._moving):
             changed |= self._moving  # they were drawn as means of what was still to change
         for band in np.nonzero(changed)[0]:
-            # a band's blocks reach a row further down; looks tell of the two rows above and of walls below
-            yield self._pixels_of(band * band_height - 1, (band + 1) * band_height + 3)
+            # a band's blocks reach a row further down, and looks tell of the two rows above
+            yield self._pixels_of(band * band_height, (band + 1) * band_height + 3)
 
     def _pixels_of(self, first, last):
         """Return the span of pixel rows in sight that show any of the lattice rows from `first` to before `last`."""

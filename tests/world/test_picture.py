@@ -15,7 +15,7 @@ from game.world.action import MATERIALS, Flip, Paint, apply
 from game.world.colours import DAY, NIGHT, dyed_palette, palette
 from game.world.picture import Painter, texture
 from game.world.view import View
-from tests.cells import coloured, random_world
+from tests.cells import coloured, grains_over_a_pile_below_a_band, random_world
 from tests.looks import looks_of
 
 
@@ -147,6 +147,17 @@ def test_a_pixel_of_many_cells_has_their_mean_light(cell, dyed):
     for y, x in np.random.default_rng(7).integers(0, shown.shape[:2], (200, 2)):
         part = means[rows[y] : rows[y + 1], columns[x] : columns[x + 1]]
         assert shown[y, x] == pytest.approx(part.mean(axis=(0, 1)).clip(0, 1), abs=0.005)
+
+
+def test_what_falls_out_of_a_band_changes_the_looks_of_the_pile_below():
+    world = grains_over_a_pile_below_a_band()
+    view, pixels, whole = View(world.shape, 0, 0, *world.shape[::-1]), *np.zeros((2, *world.shape), np.uint32)
+    painter = Painter(view)
+    for _ in range(40):
+        advance(world, Rule.with_p(0.5, "balanced"), 1)
+        painter.draw(world, pixels)
+        Painter(view).draw(world, whole)
+        assert (pixels == whole).all()
 
 
 def test_a_world_that_rests_is_not_drawn_again():

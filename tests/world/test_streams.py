@@ -15,7 +15,7 @@ from game.world.picture import Painter, texture
 from game.world.session import Session
 from game.world.streams import FROM_SPEED, Streams
 from game.world.view import View
-from tests.cells import coloured, random_world
+from tests.cells import coloured, grains_over_a_pile_below_a_band, random_world
 from tests.eyes import SIGHTS, difference, lab
 
 RULE = Rule.with_p(0.7, "balanced")
@@ -100,6 +100,14 @@ def test_what_is_drawn_piece_by_piece_is_the_whole_picture():
         followed = streams if number % 7 else None  # as while time is held
         painter.draw(world, pixels, streams=followed)
         assert (pixels == drawn(world, followed, "glass")).all(), number
+
+
+def test_what_falls_out_of_a_band_is_sampled_too():
+    world, streams = grains_over_a_pile_below_a_band(), Streams()
+    run(world, streams, 1)
+    for _ in range(40):
+        run(world, streams, 1)
+        assert (unpack(streams.samples[world.iteration % SAMPLES], world.layout) == world.sand).all()
 
 
 def test_sand_at_rest_is_drawn_as_without_and_never_again():
