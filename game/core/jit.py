@@ -49,18 +49,21 @@ def _prune(home, current):
 
 
 def cache_folder():
-    """Return the folder for compiled kernels, or None where none can be written (then they live in memory only)."""
+    """Return (folder, whether it is new) for compiled kernels; the folder is None where none can be written.
+
+    Without one they live in memory only.
+    """
     home = Path(os.environ.get("SANDGLASS_CACHE_DIR") or user_cache_dir("sandglass", appauthor=False))
     folder = home / f"kernels-{_digest()}"
     is_new = not folder.exists()
     if not _writable(folder):
-        return None
+        return None, False
     if is_new:
         _prune(home, folder)
-    return folder
+    return folder, is_new
 
 
-_FOLDER = cache_folder()
+_FOLDER, NEW = cache_folder()
 
 
 def kernel(function):

@@ -9,7 +9,7 @@ from game.play import hud, panel, splash
 from game.play.toy import Toy
 from game.play.ui.theme import Theme
 from game.play.window import NoDisplayError, Window
-from game.world import prepare
+from game.world.companion import steps_to_play
 
 __all__ = ["NoDisplayError", "play"]
 
@@ -28,10 +28,11 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     size = remembered if all(remembered) and not cell else window_size(scene, cell or scene.cell, theme)
     window = Window(size, fullscreen)
     dense = scene.shape[1] > window.size[0] or scene.shape[0] > window.size[1]
-    if not _make_ready(window, theme, prepare.steps(scene.rule, scene.made_of, dense, scene.colours is not None)):
+    first, later = steps_to_play(scene.rule, scene.made_of, dense, scene.colours is not None)
+    if not _make_ready(window, theme, first):
         return 0
     toy = Toy(window, scene, seed, p, settings)
-    threading.Thread(target=_do_all, args=(prepare.later_steps(scene.rule),), daemon=True).start()
+    threading.Thread(target=_do_all, args=(later,), daemon=True).start()
     toy.recovery.start()
     if recording:
         toy.files.play(recording, recording.scene.title)

@@ -82,7 +82,7 @@ def play(trial, seed):
     scene = load_scene(trial.scene) if trial.scene else scene_of(glass_for(trial.seconds))
     pygame.font.init()
     window = Window(WINDOW)
-    for _, act in (*steps(scene.rule), *later_steps(scene.rule)):
+    for _, act in (*steps(scene.rule, scene.made_of), *later_steps(scene.rule)):
         act()
     toy = Toy(window, scene, seed)
     acts = _acts(trial, toy, np.random.default_rng(seed))

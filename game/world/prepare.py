@@ -25,23 +25,33 @@ KINDS = {  # a rule for each kind of kernel
 
 
 def steps(rule, walls, dense=False, coloured=False):
-    """Return [(what, act)], every kernel that playing a scene with `rule` needs; call each act to make it ready.
+    """Return [(what, act)], every kernel that showing a scene with `rule` needs; call each act to make it ready.
 
     walls: what they are made of. dense: the scene has more cells than the window has pixels. coloured: its sand has
     colours.
     """
-    return [("drawing from afar", lambda: _draw_from_afar(walls, coloured))] * dense + [
+    return moving_steps(rule, coloured) + drawing_steps(walls, dense, coloured)
+
+
+def moving_steps(rule, coloured=False):
+    """Return the steps of `steps` that move sand."""
+    return [
         ("the layout of the cells", lambda: (_dot(coloured).sand, _dot(coloured).flip())),
         (_kind_of(rule), lambda: advance(_dot(coloured), rule, 1)),
-        ("drawing", lambda: _draw(walls, coloured)),
-        ("the brush", lambda: apply(Paint("sand", (0.0, 0.0), (1.0, 1.0), 1), _dot(coloured), rule)),
     ]
+
+
+def drawing_steps(walls, dense=False, coloured=False):
+    """Return the steps of `steps` that draw."""
+    afar = [("drawing from afar", lambda: _draw_from_afar(walls, coloured))] if dense else []
+    return [*afar, ("drawing", lambda: _draw(walls, coloured))]
 
 
 def later_steps(rule):
     """Return [(what, act)] for the kernels that a player may need next."""
     others = [(what, other) for what, other in KINDS.items() if what != _kind_of(rule)]
     return [
+        ("the brush", _brush),
         ("the turn of the glass", _turn),
         ("the figures", _figures),
         ("drawing glass", lambda: _draw("glass")),
@@ -51,6 +61,7 @@ def later_steps(rule):
         ("the forecast", _forecast),
         ("the measures", lambda: pile_heights(_dot())),
         *((f"{what} of colours", act) for walls in ("glass", "stone") for what, act in steps(rule, walls, True, True)),
+        ("the brush of colours", lambda: _brush(coloured=True)),
         ("figures of colours", lambda: _figures(coloured=True)),
     ] + [
         (what, lambda other=other, coloured=coloured: advance(_dot(coloured), other, 1))
@@ -68,7 +79,7 @@ def _dot(coloured=False):
 def _draw(walls, coloured=False):
     world, streams = _dot(coloured), Streams()
     for _ in range(2):
-        advance(world, KINDS["sand that always moves"], 1)
+        world.iteration += 1
         streams.note(world)
     Painter(View.fit((2, 2), 0, 0, 2, 2), walls=walls).draw(world, np.zeros((2, 2), np.uint32), streams=streams)
 
@@ -80,6 +91,10 @@ def _draw_from_afar(walls, coloured=False):
 def _turn():
     picture = np.zeros((2, 2), np.uint32)
     draw_turned(picture, np.uint32(0), 1.0, 0.0, 1.0, picture.copy(), 0, 0, 2, 2)
+
+
+def _brush(coloured=False):
+    apply(Paint("sand", (0.0, 0.0), (1.0, 1.0), 1), _dot(coloured), Rule())
 
 
 def _figures(coloured=False):

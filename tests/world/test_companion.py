@@ -1,0 +1,31 @@
+"""A step that a companion compiles is done here after it is done there, and in any case."""
+
+import time
+
+import pytest
+
+from game.world.companion import Companion
+
+
+def note(tell, path):
+    """Do two steps and leave a line of each in a file."""
+    for word in ("one", "two"):
+        time.sleep(0.05)
+        with open(path, "a", encoding="utf-8") as file:
+            file.write(f"{word}\n")
+        tell.send(word)
+
+
+def give_up(tell, path):
+    """End before the first step is done."""
+
+
+@pytest.mark.parametrize(("work", "there"), [(note, ["one", "one two"]), (give_up, ["", ""])])
+def test_each_step_waits_for_the_companion_or_its_end(work, there, tmp_path):
+    path = tmp_path / "steps"
+    path.touch()
+    seen = []
+    companion = Companion(work, path)
+    for _, act in companion.beside([(word, lambda: seen.append(" ".join(path.read_text().split()))) for word in "ab"]):
+        act()
+    assert len(seen) == 2 and all(now.startswith(then) for now, then in zip(seen, there, strict=True))
