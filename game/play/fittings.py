@@ -8,8 +8,8 @@ from game.world.action import SetFixtures, cell, snap
 from game.world.fixture import MOST, TAP, Fixture
 
 NEAR = 1  # cells: a fixture is taken hold of this far beside it
-LEAST = 8  # pixels: the least width of a symbol
-STEM = 4  # pixels from a symbol's edge to its handle
+LEAST = 8  # pixels at scale 1: the least width of a symbol
+STEM = 4  # pixels at scale 1: from a symbol's edge to its handle
 
 
 class Carry:
@@ -47,18 +47,21 @@ def fresh(brush, place):
     return Fixture(brush.tool, column, row, int(brush.diameter), 1, brush.every if brush.tool == TAP else 1)
 
 
-def marks(fixtures, view):
-    """Return the Marks of fixtures seen through `view`: a lid with a handle is a tap, a basin with a foot a drain."""
-    return tuple(_symbol(each, view) for each in fixtures)
+def marks(fixtures, view, px):
+    """Return the Marks of fixtures seen through `view`: a lid with a handle is a tap, a basin with a foot a drain.
+
+    px: what a size at scale 1 is in pixels of the screen.
+    """
+    return tuple(_symbol(each, view, px) for each in fixtures)
 
 
-def _symbol(fixture, view):
+def _symbol(fixture, view, px):
     left, top, right, bottom = fixture.box
     (x0, y0), (x1, y1) = view.pixel(left, top), view.pixel(right, bottom)
-    middle, half = (x0 + x1) / 2, max(x1 - x0, LEAST) / 2
-    x0, x1, lip = middle - half, middle + half - 1, min(half, max(2.0, y1 - y0))
-    far, near, way = (y0 - 2, y0 + lip, -STEM) if fixture.kind == TAP else (y1 + 1, y1 - lip, STEM)
-    stem, handle = (middle, far + way), min(half, STEM)
+    middle, half = (x0 + x1) / 2, max(x1 - x0, px(LEAST)) / 2
+    x0, x1, lip = middle - half, middle + half - 1, min(half, max(px(2), y1 - y0))
+    far, near, way = (y0 - px(2), y0 + lip, -px(STEM)) if fixture.kind == TAP else (y1 + px(1), y1 - lip, px(STEM))
+    stem, handle = (middle, far + way), min(half, px(STEM))
     points = [(x0, near), (x0, far), (middle, far), stem, (middle - handle, stem[1]), (middle + handle, stem[1])]
     points += [stem, (middle, far), (x1, far), (x1, near)]
     colour = look.BRIGHT_ACCENT if fixture.kind == TAP else look.RING

@@ -8,7 +8,7 @@ import pygame
 from game.play.ui import theme as look
 
 LEAST_RADIUS = 2  # pixels: a smaller outline would hide under the pointer
-SEAM = 1  # pixels on each side of a line
+MARGIN = 6  # pixels that a line may be wide on each side, at the largest scale
 FEWEST, MOST = 12, 96  # corners of a circle
 
 
@@ -24,12 +24,13 @@ class Mark(NamedTuple):
         """What it covers of the window."""
         left, right = min(x for x, _ in self.points), max(x for x, _ in self.points)
         top, bottom = min(y for _, y in self.points), max(y for _, y in self.points)
-        return pygame.Rect(left, top, right - left + 1, bottom - top + 1).inflate(4 * SEAM, 4 * SEAM)
+        return pygame.Rect(left, top, right - left + 1, bottom - top + 1).inflate(2 * MARGIN, 2 * MARGIN)
 
     def draw(self, surface, theme):
         """Draw it."""
-        pygame.draw.lines(surface, theme.rgb(look.SUNKEN), self.closed, self.points, 1 + 2 * SEAM)
-        pygame.draw.lines(surface, theme.rgb(self.colour), self.closed, self.points)
+        wide = theme.px(1)
+        pygame.draw.lines(surface, theme.rgb(look.SUNKEN), self.closed, self.points, 3 * wide)
+        pygame.draw.lines(surface, theme.rgb(self.colour), self.closed, self.points, wide)
 
 
 def mark(outline, view, colour=look.TEXT):

@@ -72,7 +72,7 @@ class Screen:
         toy, view, pointer = self._toy, self._toy.stage.view, self._toy.hearing.pointer
         if toy.stage.turn:
             return ()
-        marks = lean.marks(toy.session.rule, view) + fittings.marks(toy.session.world.fixtures, view)
+        marks = lean.marks(toy.session.rule, view) + fittings.marks(toy.session.world.fixtures, view, toy.theme.px)
         if toy.camera.busy or toy.photo.shown:
             return marks
         if toy.cursor.on and not toy.brush.by_mouse:

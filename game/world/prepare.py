@@ -4,8 +4,9 @@ import numpy as np
 
 from game.core.heat import lay_heat, mean_levels
 from game.core.pixels import draw_turned
-from game.world.action import Draw, Fill, Paint, apply
+from game.world.action import Draw, Fill, Paint, Turn, apply
 from game.world.advance import advance
+from game.world.fixture import TAP, Fixture
 from game.world.forecast import growing_counts
 from game.world.forecaster import Question, answer_of
 from game.world.heat_colours import cover
@@ -54,6 +55,7 @@ def later_steps(rule):
         ("the brush", _brush),
         ("the turn of the glass", _turn),
         ("the figures", _figures),
+        ("the eraser of fixtures", _eraser),
         ("drawing glass", lambda: _draw("glass")),
         ("drawing stone", lambda: _draw("stone")),
         ("drawing stone from afar", lambda: _draw_from_afar("stone")),
@@ -98,8 +100,15 @@ def _brush(coloured=False):
 
 
 def _figures(coloured=False):
-    for act in (Draw("ellipse", "sand", (0.5, 0.5), (1.5, 1.5)), Fill("sand", (0.5, 0.5))):
+    for act in (Draw("ellipse", "sand", (0.5, 0.5), (1.5, 1.5)), Fill("sand", (0.5, 0.5)), Turn(1)):
         apply(act, _dot(coloured), Rule())
+
+
+def _eraser():
+    for act in (Paint("erase", (0.0, 0.0), (1.0, 1.0), 1), Draw("rectangle", "erase", (0.5, 0.5), (1.5, 1.5))):
+        world = _dot()
+        world.fixtures = (Fixture(TAP, 0, 0),)
+        apply(act, world, Rule())
 
 
 def _forecast():
