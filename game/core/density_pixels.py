@@ -32,6 +32,9 @@ _BITS, _STACKS, _OTHERS = np.uint64(0), np.uint64(7) * _ROW, np.uint64(15) * _RO
 _SCRATCH = 23 * 272
 _SUMS = np.uint64(16)  # words that hold the sums of all lanes, in 16 bits each
 
+_NONE = np.float32(-1e9)  # no amount of light
+_GREEN, _BLUE = np.uint64(16400), np.uint64(2 * 16400)  # where the green and the blue light of a row starts: more than
+# the widest lattice has columns
 _ZERO = np.uint64(0)
 _ONE, _TWO, _THREE, _FOUR, _EIGHT = np.uint64(1), np.uint64(2), np.uint64(3), np.uint64(4), np.uint64(8)
 _NIBBLES, _PAIRS, _SINGLES = np.uint64(0x0F0F0F0F0F0F0F0F), np.uint64(0x3333333333333333), np.uint64(0x5555555555555555)
@@ -149,7 +152,8 @@ def _clear(scratch, first, size):
 
 @kernel
 def _stack_rows(planes, decor, dyed, kind, stride, words, top, bottom, scratch):
-    """Count the cells of a kind of the lattice rows from `top` in every column."""
+    """Count the cells of a kind of the lattice rows from `top` in every column; return whether there are any."""
+    some = _ZERO
     for digit in range(_DIGITS):
         _clear(scratch, _STACKS + digit * _ROW, _ODD + words)
     for first in range(top, bottom, 7):
@@ -157,10 +161,13 @@ def _stack_rows(planes, decor, dyed, kind, stride, words, top, bottom, scratch):
             row = _BITS + np.uint64(k) * _ROW
             if first + k < bottom:
                 _bits_of_row(planes, decor, dyed, kind, stride, words, first + k, scratch, row)
+                for word in range(words):
+                    some |= scratch[row + word] | scratch[row + _ODD + word]
             else:
                 _clear(scratch, row, _ODD + words)
         _add_rows(scratch, _ZERO, words)
         _add_rows(scratch, _ODD, words)
+    return some != _ZERO
 
 
 @gate
@@ -226,11 +233,17 @@ def _add_to_sums(scratch, counted, sums, at):
 
 
 @gate
-def _find_edges(edges, words, group, lanes, places):
-    """Write the lane of each edge between pixels, and the place of its sum in the sums as a flat uint16 array."""
+def _find_edges(edges, words, group, starts, places):
+    """Write the first edge of each lane, and the place of each edge's sum in the sums as a flat uint16 array."""
+    starts[:] = edges.size
+    starts[0] = 0
     for i in range(edges.size):
         lane = min(edges[i] // (2 * words), BITS - 1)
-        lanes[i], places[i] = lane, _place_of_sum(lane, (edges[i] - lane * 2 * words + group - 1) // group)
+        places[i] = _place_of_sum(lane, (edges[i] - lane * 2 * words + group - 1) // group)
+        for each in range(lane, 0, -1):
+            if starts[each] <= i:
+                break
+            starts[each] = i
 
 
 @gate
@@ -240,20 +253,19 @@ def _place_of_sum(lane, before):
 
 
 @gate
-def _count_spans(sums, size, lanes, places, before, counts):
+def _count_spans(sums, size, starts, places, before, counts):
     """Add to `counts` what was counted between every two edges; a lane has `size` sums."""
-    before[0] = 0
-    for lane in range(BITS - 1):
-        before[lane + 1] = before[lane] + np.int32(sums[_place_of_sum(lane, size)])
-    last = before[lanes[0]] + np.int32(sums[places[0]])
-    for i in range(np.uint64(counts.size)):
-        edge = before[lanes[i + _ONE]] + np.int32(sums[places[i + _ONE]])
-        counts[i] += edge - last
-        last = edge
+    base = np.int32(0)
+    for lane in range(BITS):
+        for i in range(starts[lane], starts[lane + 1]):
+            before[i] = base + np.int32(sums[places[i]])
+        base += np.int32(sums[_place_of_sum(lane, size)])
+    for i in range(counts.size):
+        counts[i] += before[i + 1] - before[i]
 
 
 @kernel
-def _count_kind(scratch, words, group, lanes, places, sums, flat, before, counts):
+def _count_kind(scratch, words, group, starts, places, sums, flat, before, counts):
     """Add to `counts` the cells of the kind that has been stacked in each pixel."""
     size = words
     if group == 1:
@@ -272,24 +284,38 @@ def _count_kind(scratch, words, group, lanes, places, sums, flat, before, counts
         _transpose(scratch, stacks, size)
         for word in range(size):
             _add_to_sums(scratch, stacks + word, sums, (word + _ONE) * _SUMS)
-    _count_spans(flat, np.int64(size), lanes, places, before, counts)
+    _count_spans(flat, np.int64(size), starts, places, before, counts)
+
+
+@gate
+def _level(light):
+    return np.uint32(min(max(light, np.float32(0.0)), np.float32(LIGHTS - 1)))
 
 
 @kernel
-def _mix_row(counts, cells, lights, channels, light, line, left):
-    """Write the colours of a row of pixels, from the counts of each kind and the share of a cell in each pixel."""
-    for channel in range(3):
-        light[channel] = np.float32(lights[0, channel] + 0.5)
-        for kind in range(counts.shape[0]):
-            each = np.float32(lights[1 + kind, channel])
-            for i in range(counts.shape[1]):
-                light[channel, i] += np.float32(counts[kind, i]) * cells[i] * each
-        for i in range(counts.shape[1]):
-            light[channel, i] = min(max(light[channel, i], np.float32(0.0)), np.float32(LIGHTS - 1))
-    first = np.uint64(left)
-    for i in range(np.uint64(counts.shape[1])):
-        red, green, blue = np.uint32(light[0, i]), np.uint32(light[1, i]), np.uint32(light[2, i])
-        line[first + i] = channels[0, red] | channels[1, green] | channels[2, blue]
+def _mix_row(counts, seen, cells, lights, channels, light, line, left):
+    """Write the colours of a row of pixels, from the counts of the kinds seen and the share of a cell in each pixel."""
+    width = np.uint64(counts.shape[1])
+    for i in range(width):
+        light[i] = lights[0, 0] + 0.5
+        light[_GREEN + i] = lights[0, 1] + 0.5
+        light[_BLUE + i] = lights[0, 2] + 0.5
+    for kind in range(counts.shape[0]):
+        if seen[kind]:
+            of_kind, more = counts[kind], lights[1 + kind]
+            red, green, blue = np.float32(more[0]), np.float32(more[1]), np.float32(more[2])
+            for i in range(width):
+                share = np.float32(of_kind[i]) * cells[i]
+                light[i] += share * red
+                light[_GREEN + i] += share * green
+                light[_BLUE + i] += share * blue
+    first, last_red, last_green, last_blue, colour = np.uint64(left), _NONE, _NONE, _NONE, np.uint32(0)
+    for i in range(width):
+        red, green, blue = light[i], light[_GREEN + i], light[_BLUE + i]
+        if red != last_red or green != last_green or blue != last_blue:  # most pixels are like the one before
+            last_red, last_green, last_blue = red, green, blue
+            colour = channels[0, _level(red)] | channels[1, _level(green)] | channels[2, _level(blue)]
+        line[first + i] = colour
 
 
 @kernel
@@ -307,19 +333,22 @@ def draw_density(planes, decor, dyed, stride, words, columns, rows, lights, chan
     scratch = np.zeros(_SCRATCH, np.uint64)
     sums = np.zeros((2 * words + 1) * 16, np.uint64)
     flat = sums.view(np.uint16)
-    lanes, places = np.empty(width + 1, np.uint32), np.empty(width + 1, np.uint32)
-    before, counts = np.empty(BITS, np.int32), np.empty((kinds, width), np.int32)
-    cells, light = np.empty(width, np.float32), np.empty((3, width), np.float32)
-    _find_edges(columns, words, group, lanes, places)
+    starts, places = np.empty(BITS + 1, np.uint64), np.empty(width + 1, np.uint32)
+    before, counts = np.empty(width + 1, np.int32), np.empty((kinds, width), np.int32)
+    seen = np.empty(kinds, np.bool_)
+    cells, light = np.empty(width, np.float32), np.empty(3 * _GREEN, np.float32)
+    _find_edges(columns, words, group, starts, places)
     most = _MOST // group
     for i in range(len(rows) - 1):
         counts[:] = 0
+        seen[:] = False
         for k in range(kinds):
             kind = k + DECOR_KINDS if decor is None and k >= KINDS else k
             for first in range(rows[i], rows[i + 1], most):
                 after = min(first + most, rows[i + 1])
-                _stack_rows(planes, decor, dyed, kind, stride, np.uint64(words), first, after, scratch)
-                _count_kind(scratch, np.uint64(words), group, lanes, places, sums, flat, before, counts[k])
+                if _stack_rows(planes, decor, dyed, kind, stride, np.uint64(words), first, after, scratch):
+                    _count_kind(scratch, np.uint64(words), group, starts, places, sums, flat, before, counts[k])
+                    seen[k] = True
         for j in range(width):
             cells[j] = np.float32(1.0) / np.float32((columns[j + 1] - columns[j]) * (rows[i + 1] - rows[i]))
-        _mix_row(counts, cells, lights, channels, light, pixels[top + i], left)
+        _mix_row(counts, seen, cells, lights, channels, light, pixels[top + i], left)

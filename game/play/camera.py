@@ -40,6 +40,11 @@ class Camera:
         x, y = self._toy.hearing.pointer or self._stage.area.center
         self._show(level(view.cell, steps), view.place(x, y), x, y)
 
+    def zoom_to(self, cell):
+        """Show cells `cell` pixels wide, with what is in the middle of the stage where it is."""
+        x, y = self._stage.area.center
+        self._show(cell, self._stage.view.place(x, y), x, y)
+
     def fit(self):
         """Show the whole lattice."""
         self._stage.show(self._stage.whole)

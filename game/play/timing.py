@@ -35,10 +35,10 @@ STAGES = {  # what each stage is made of; the rest of a frame is "other"
 SHOWN = {"forecast": "toggle_forecast", "plots": "toggle_plots", "schedules": "compare"}  # by which command
 
 
-def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=()):
+def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(), cell=None):
     """Play `count` frames of `scene` at `iterations` a frame, without pauses, and return the report as a dict.
 
-    shown: names of SHOWN, what is to be seen besides the sand.
+    shown: names of SHOWN, what is to be seen besides the sand. cell: pixels to a cell; None: the lattice fits.
     """
     pygame.font.init()
     window = Window(window_size or loop.window_size(scene, scene.cell, Theme(1.0)))
@@ -62,6 +62,8 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=())
         spent.clear()
         _play_frame(toy, spent, number * FRAME_NS / 1e9)
         played.append(dict(spent))
+        if number == 0 and cell:  # the stage is there from the first frame on
+            toy.camera.zoom_to(cell)
         if toy.forecasting.answer:
             forecasts[toy.forecasting.answer.question] = toy.forecasting.answer.runs
     seconds = time.perf_counter() - begin
@@ -111,6 +113,7 @@ def _report(toy, scene, played, iterations):
         "scene": scene.name,
         "cells": scene.shape[::-1],
         "window": toy.window.size,
+        "pixels_per_cell": toy.stage.view.cell,
         "driver": pygame.display.get_driver(),
         "frames": len(played),
         "iterations": iterations,
@@ -173,6 +176,7 @@ def main():
     parser.add_argument("--frames", type=int, default=300, metavar="N")
     parser.add_argument("--p", type=float, metavar="P", help=knob.P.meaning)
     parser.add_argument("--with", dest="shown", nargs="+", default=[], choices=SHOWN, help="what to show besides")
+    parser.add_argument("--zoom", type=float, metavar="PX", help="pixels to a cell (default: the lattice fits)")
     parser.add_argument("--plain-streams", action="store_true", help="draw falling sand cell by cell")
     parser.add_argument("--start-up", action="store_true", help="time the start instead of frames")
     parser.add_argument("--since", type=int, default=time.time_ns(), metavar="NS", help="when the process was started")
@@ -190,6 +194,7 @@ def main():
             not options.plain_streams,
             options.p,
             options.shown,
+            options.zoom,
         )
     print(json.dumps(report, indent=None if options.json else 2))
 

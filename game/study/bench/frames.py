@@ -12,6 +12,7 @@ COLUMNS = (
     Column("shown", "with"),
     Column("cells", "cells", table.size),
     Column("window", "window", table.size),
+    Column("cell", "px/cell", table.figure),
     Column("driver", "driver"),
     Column("iterations", "iterations/frame", table.figure),
     Column("streams", "streams"),
@@ -45,6 +46,7 @@ def _arguments(case, plan):
     sizes = {"--size": case.size, "--window": case.window}
     given = [part for flag, pair in sizes.items() if pair for part in (flag, "x".join(map(str, pair)))]
     given += [] if case.smooth else ["--plain-streams"]
+    given += ["--zoom", case.cell] if case.cell else []
     given += ["--with", *case.shown] if case.shown else []
     given += ["--p", case.p] if case.p is not None else []
     return ["--scene", case.scene, *given, "--iterations-per-frame", case.iterations, "--frames", plan.frames]
@@ -59,6 +61,7 @@ def _row(case, report, shown_on):
         "shown": _shown(case, report),
         "cells": tuple(report["cells"]),
         "window": tuple(report["window"]),
+        "cell": report["pixels_per_cell"],
         "driver": driver,
         "iterations": report["iterations"] / report["frames"],
         "streams": "smooth" if report["smooth"] else "plain",
@@ -85,5 +88,6 @@ def _goal(case, row):
     elif row["window"] != case.window:
         spoiled = f"the window is {table.size(row['window'])}"
     scene = " with ".join(filter(None, (case.scene, " and ".join(case.shown))))
+    scene += f" at {case.cell:g} px per cell" if case.cell else ""
     what = f"{scene}, {table.size(case.window)} window, {case.iterations} iterations: p99"
     return goals.at_most(what, row["p99_ms"], goals.FRAME_MS, " ms", spoiled)

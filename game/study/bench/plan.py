@@ -17,6 +17,7 @@ class FrameCase:
     smooth: bool = True  # falling sand is drawn as the mean of a cycle
     shown: tuple = ()  # what is seen besides the sand, as game.play.timing names it
     p: float | None = None  # None: the scene's own
+    cell: float | None = None  # pixels; None: the whole lattice is seen
 
 
 @dataclass(frozen=True)
@@ -69,6 +70,8 @@ FULL = Plan(
         *GOAL_FRAMES,
         FrameCase("fullhd", FULL_HD, FULL_HD, 16, smooth=False),
         FrameCase("hourglass", FOUR_K, FOUR_K, 8),
+        *(FrameCase("fullhd", FULL_HD, FULL_HD, 16, goal=True, cell=cell) for cell in (1, 4, 32)),
+        *(FrameCase("hourglass", LARGEST, FULL_HD, 1, goal=True, cell=cell) for cell in (None, 0.25, 1)),
         FrameCase("paper", None, None, 1, shown=("forecast",), p=0.5),
         FrameCase("fullhd", FULL_HD, FULL_HD, 16, goal=True, shown=("forecast",)),
         FrameCase("fullhd", FULL_HD, FULL_HD, 16, goal=True, shown=("plots",)),
