@@ -119,6 +119,27 @@ def test_the_pace_is_even(waiting):
     assert sum(steps) == pytest.approx(600 * FRAME_S * pace, abs=2)
 
 
+def test_a_new_plan_neither_jumps_nor_stalls(waiting):
+    waiting.start(20)
+    waiting.pass_time(8)
+    before = waiting.session.now
+    waiting.toy.do(SetRule(Rule.with_p(0.7, "balanced")))
+    waiting.plan()
+    waiting.wait(60)
+    pace = (waiting.toy.planner.ask().at - before) / 12
+    assert waiting.session.now - before == pytest.approx(pace * 62 * FRAME_S, abs=3)
+
+
+def test_a_plan_made_after_the_end_does_not_hold_before_it(waiting):
+    waiting.session.timeline.run(2000)
+    waiting.start(5)
+    assert waiting.toy.planner.ask().iterations == 0
+    waiting.session.seek(100)
+    assert waiting.toy.planner.ask() is None
+    waiting.plan()
+    assert waiting.toy.planner.ask().iterations > 0
+
+
 def test_a_pause_holds_the_time(waiting):
     waiting.start(5)
     waiting.pass_time(2)
