@@ -2,6 +2,7 @@
 
 import hashlib
 import math
+from dataclasses import replace
 
 import numpy as np
 
@@ -99,6 +100,16 @@ class World:
         planes, layout = bit_planes.turned(self.planes, self.layout, quarters), bit_planes.layout(height, width)
         fixtures = tuple(each.turned(quarters, self.shape) for each in self.fixtures)
         return World(planes, layout, self.iteration, self.seed, fixtures)
+
+    def within(self, sand, walls, colours=None):
+        """Return the world with other cells, its middle where it was: a new one at the same iteration.
+
+        sand, walls: (H, W) bool. colours: (H, W) uint8, or None for a world without.
+        """
+        down, across = ((new - old) // 2 for new, old in zip(sand.shape, self.shape, strict=True))
+        fixtures = tuple(replace(each, x=each.x + across, y=each.y + down) for each in self.fixtures)
+        layout = bit_planes.layout(*sand.shape)
+        return World(bit_planes.pack(sand, walls, colours), layout, self.iteration, self.seed, fixtures)
 
     def drop_fixtures(self, reached):
         """Take away the fixtures of which reached(column, row) is true for any cell, in place."""
