@@ -13,12 +13,24 @@ _DOUBLINGS = tuple(np.uint64(2**k) for k in range(6))
 
 def kind_of(planes, where, x, y):
     """Return the kind of the cell in column x and row y."""
-    plane, at = 2 * (y & 1) + (x & 1), (y >> 1) * where.stride + (x >> 1) % where.words
-    lane = np.uint64((x >> 1) // where.words)
+    plane, at, lane = _place(where, x, y)
     for kind, first in ((GRAIN, bit_planes.SAND), (WALL, bit_planes.WALLS)):
         if int(planes[first + plane, at] >> lane) & 1:
             return kind
     return EMPTY
+
+
+def colour_of(planes, where, x, y):
+    """Return the colour of the grain in column x and row y."""
+    plane, at, lane = _place(where, x, y)
+    bits = bit_planes.colour_planes(planes)
+    return sum((int(planes[first + plane, at] >> lane) & 1) << bit for bit, first in enumerate(bits))
+
+
+def _place(where, x, y):
+    """Return the plane among four, the word and the bit of the cell in column x and row y."""
+    lane = np.uint64((x >> 1) // where.words)
+    return 2 * (y & 1) + (x & 1), (y >> 1) * where.stride + (x >> 1) % where.words, lane
 
 
 def flood(planes, where, x, y, ink):

@@ -118,6 +118,10 @@ class Commands:
         """Let the arrows move a cursor over the cells, or no longer."""
         self.toy.cursor.toggle()
 
+    def next_colour(self, steps):
+        """Paint with sand of the colour so many swatches further on."""
+        self.toy.brush.next_colour(int(steps))
+
     def next_shape(self):
         """Give the brush its next shape."""
         self.toy.brush.next_shape()

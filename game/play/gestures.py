@@ -33,7 +33,7 @@ class Trail:
         brush = self._brush
         number = brush.next_spray() if brush.tool == "spray" else 0
         over_walls = brush.over_walls
-        return Paint(brush.ink, start, place, brush.diameter, over_walls, brush.shape, self._only, number)
+        return Paint(brush.ink, start, place, brush.diameter, over_walls, brush.shape, self._only, number, brush.dye)
 
 
 class Span:
@@ -53,9 +53,9 @@ class Span:
         self.go(place, straight)
         brush, start, end = self._brush, self._start, self._end
         if self._figure == "line":
-            return [Paint(brush.ink, start, end, brush.diameter, brush.over_walls, brush.shape)]
+            return [Paint(brush.ink, start, end, brush.diameter, brush.over_walls, brush.shape, colour=brush.dye)]
         edge = brush.diameter if brush.edge_only else 0
-        return [Draw(self._figure, brush.ink, snap(start, 1), snap(end, 1), edge, brush.over_walls)]
+        return [Draw(self._figure, brush.ink, snap(start, 1), snap(end, 1), edge, brush.over_walls, brush.dye)]
 
     def outlines(self):
         """Return the outline of what would be drawn."""
@@ -92,8 +92,8 @@ class Press:
         if world is None:
             return []
         if brush.tool == "fill":
-            return [Fill(brush.ink, snap(place, 1))]
-        brush.take(world.kind_at(*cell(place)))
+            return [Fill(brush.ink, snap(place, 1), brush.dye)]
+        brush.take(world.kind_at(*cell(place)), world.colour_at(*cell(place)))
         return []
 
     end = go

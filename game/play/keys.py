@@ -68,6 +68,8 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("S W X", (pygame.K_s,), "material sand", "sand, wall, eraser"),
         Key("", (pygame.K_w,), "material wall", ""),
         Key("", (pygame.K_x,), "material erase", ""),
+        Key(", Shift+,", (pygame.K_COMMA,), "next_colour 1", "next, previous colour"),
+        Key("", (pygame.K_COMMA,), "next_colour -1", "", SHIFT),
         Key("1 … 9", (pygame.K_1, pygame.K_KP1), "size 1", "size of the brush"),
         *(Key("", (pygame.K_1 + more, pygame.K_KP1 + more), f"size {more + 1}", "") for more in range(1, 9)),
         Key("Wheel, [ ]", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller, larger brush"),

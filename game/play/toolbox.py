@@ -1,5 +1,6 @@
 """The toolbox: the panel's section of what the pointer does to the sand, and with what."""
 
+from game.play import dyes
 from game.play.tools import MATERIALS, TOOLS
 from game.world import knob
 from game.world.action import SHAPES
@@ -31,6 +32,7 @@ def show(ui, toy):
     labels = [name.capitalize() for name in MATERIALS]
     tip = "What the left button paints with; the right one erases  (S, W, X)"
     brush.material = MATERIALS[ui.segmented("Paint", labels, MATERIALS.index(brush.material), tip=tip)]
+    dyes.show(ui, toy)
     brush.diameter = ui.slider("Size", knob.BRUSH, brush.diameter, log=True, tip="Width of the brush, in cells  (1-9)")
     shapes = tuple(SHAPES)
     labels = [shape.capitalize() for shape in shapes]

@@ -7,6 +7,7 @@ from game.play.gestures import Press, Span, Trail
 from game.play.marks import box_outline, brush_outline, mark
 from game.world import knob
 from game.world.action import KINDS, SHAPES, box, snap
+from game.world.dyes import AMBER, COLOURS, DYES
 
 MATERIALS = ("sand", "wall", "erase")
 TOOLS = {  # the gesture that each makes
@@ -32,6 +33,7 @@ class Brush:
     def __init__(self):
         self.tool = "brush"
         self.material = "sand"
+        self.colour = AMBER  # of sand: one of DYES
         self.diameter = knob.BRUSH.default
         self.shape = "round"
         self.over_walls = False
@@ -63,6 +65,19 @@ class Brush:
         """The material that the gesture leaves."""
         return "erase" if self._erasing else self.material
 
+    @property
+    def dye(self):
+        """The colour of what the gesture leaves."""
+        return self.colour if self.ink == "sand" else AMBER
+
+    def dip(self, colour):
+        """Paint with sand of a colour from now on."""
+        self.colour, self.material = colour, "sand"
+
+    def next_colour(self, steps):
+        """Take the colour so many swatches further on."""
+        self.dip(DYES[(DYES.index(self.colour) + steps) % len(DYES)])
+
     def choose(self, tool):
         """Take a tool in hand."""
         self.let_go()
@@ -70,8 +85,13 @@ class Brush:
             self._before_pick = self.tool
         self.tool = tool
 
-    def take(self, kind):
-        """Paint with a kind of cell from now on, None for none, with the tool that was in hand before the picking."""
+    def take(self, kind, colour):
+        """Paint with a kind of cell from now on, None for none, with the tool that was in hand before the picking.
+
+        colour: the number of the colour of what was picked, if that is sand.
+        """
+        if kind == KINDS["sand"]:
+            self.colour = COLOURS[colour]
         self.material = next((name for name in MATERIALS if KINDS.get(name) == kind), "erase")
         self.tool = self._before_pick
 

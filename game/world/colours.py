@@ -86,6 +86,10 @@ class Colours(NamedTuple):
         grain = self.dyes[number - 1]
         return {look: Range(*(_lit(grain, by) for by in LIGHT_ON_SAND[look])) for look in self.sand}
 
+    def mean_of(self, number, look):
+        """Return the mean colour of a look of sand of a colour, RGB as floats."""
+        return tuple((dark + light) / 2 for dark, light in zip(*self.dye(number)[look], strict=True))
+
 
 def _lit(colour, by):
     """Return a colour made darker by a part of it (below 0), or by so much nearer to white."""

@@ -21,7 +21,7 @@ __all__ = ["Scene", "SceneError", "load_scene", "scene_names"]
 
 ORDER = (  # as shown; others follow
     *("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "maze", "tower", "city", "marbles", "delta"),
-    *("silo", "clocks", "mixing", "fountain", "fullhd", "blank"),
+    *("silo", "clocks", "mixing", "fountain", "rainbow", "dunes", "fullhd", "blank"),
 )
 SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
 SIDES = ("height", "width")

@@ -9,7 +9,7 @@ import numpy as np
 from game.core import planes as bit_planes
 from game.core.brush import stroke
 from game.core.figures import figure
-from game.core.flood import flood, kind_of
+from game.core.flood import colour_of, flood, kind_of
 from game.core.ink import EMPTY, GRAIN, RAINBOW, Ink, by_colour
 from game.world import knob
 from game.world.activity import Activity
@@ -175,6 +175,12 @@ class World:
         if not (0 <= column < width and 0 <= row < height):
             return None
         return kind_of(self.planes, self.layout, column, row)
+
+    def colour_at(self, column, row):
+        """Return the number of the colour of a cell's sand, 0 where there is none."""
+        if not self.coloured or self.kind_at(column, row) != GRAIN:
+            return 0
+        return colour_of(self.planes, self.layout, column, row)
 
     def digest(self):
         """Return 32 hex digits that name all that decides the future: shape, cells, seed, iteration and fixtures."""

@@ -32,6 +32,21 @@ def same_as_twin(world, rule, most):
     return iterations
 
 
+def same_with_colours(world, coloured, rule, most):
+    """Return for how many iterations the cells of a coloured world evolve as those of `world` do without.
+
+    Raises WrongCellsError if they do not, or if the number of grains of any colour changes.
+    """
+    iterations = iterations_for(world.sand.size, most)
+    plain, dyed = world.copy(), coloured.copy()
+    for each in (plain, dyed):
+        advance(each, rule, iterations)
+    _compare("advance with colours", dyed.sand, plain.sand, world.shape, iterations)
+    if dyed.grains_by_colour != coloured.grains_by_colour:
+        raise WrongCellsError("advance made or lost grains of a colour: nothing was timed")
+    return iterations
+
+
 def peer_same_as_ours(peer, world, rule, most):
     """Return for how many iterations `peer` agrees with `advance`, where it is checked against the twin beside it.
 

@@ -11,6 +11,7 @@ LARGEST = 16384 * 16384  # cells
 SMALL_US = {(61, 61): 1.0, (240, 180): 2.0}  # microseconds per iteration in a batch
 SETTLED = 0.02  # of the time of a lattice in motion
 SEVEN = 3.0  # times the rule that leaves only the two topples to chance
+COLOURS = 2.5  # times the iteration of the same sand without colours
 FRAME_MS = 16.0  # 99 of 100 frames, all their iterations run
 WARM_S = 1.0  # from the command to the first frame
 COLD_SPLASH_S = 1.0  # from the command to the splash, no kernel compiled before

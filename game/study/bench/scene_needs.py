@@ -4,7 +4,7 @@ import numpy as np
 
 from game.study.bench import goals, table, worlds
 from game.study.bench.candidates import ours
-from game.study.bench.checks import same_as_twin
+from game.study.bench.checks import same_as_twin, same_with_colours
 from game.study.bench.rounds import take_turns
 from game.study.bench.table import Column, Table
 from game.world.rule import Rule
@@ -21,6 +21,7 @@ RULES = {
 CERTAIN, _, TWO, SEVEN = RULES
 WORLDS = {"all moving": worlds.moving, "hourglass, mid-flow": worlds.flowing, "settled": worlds.settled}
 MOVING, FLOWING, SETTLED = WORLDS
+IN_COLOURS = "{}, in colours"  # the key of a rule where every grain has a colour
 COLUMNS = (
     Column("world", "world"),
     Column("rule", "rule"),
@@ -42,12 +43,19 @@ def scene_table(plan):
         for kind, rule in RULES.items():
             checked[name, kind] = same_as_twin(world, rule, plan.checked)
         timed = [ours(kind, world, rule, plan.batch) for kind, rule in RULES.items()]
+        coloured = worlds.in_colours(world)
+        for kind, rule in RULES.items() if name != SETTLED else ():
+            dyed = IN_COLOURS.format(kind)
+            checked[name, dyed] = same_with_colours(world, coloured, rule, plan.checked)
+            timed.append(ours(dyed, coloured, rule, plan.batch))
         for kind, timing in take_turns(timed, plan.rounds, plan.sample_ns).items():
             found[name, kind] = timing
     rows = [_row(name, kind, found, checked[name, kind], size) for name, kind in found]
     notes = [
         f"{table.size(size)} cells, {plan.batch} iterations in one call, schedule {SCHEDULE}. The hourglass is the "
         f"shipped scene drawn at that size, about {worlds.PASSED:.0%} of its sand below; settled: all of it there.",
+        "In colours: each grain has one of eight, in three more bits of its cell; checked to leave the cells as "
+        "they are and to keep the number of grains of each colour.",
         "At random: the events left to chance have probabilities "
         f"{', '.join(map(str, RULES[SEVEN].probabilities))}, the topples the first two. p = {PAPER_P} takes one random "
         "bit for a candidate, these take up to 32.",
@@ -74,6 +82,9 @@ def _goal(name, kind, found, size):
     if name == SETTLED:
         part = 100 * found[name, kind].median / found[MOVING, kind].median
         return goals.at_most(f"{where}: part of all moving", part, 100 * goals.SETTLED, " %")
+    for plain in RULES:
+        if kind == IN_COLOURS.format(plain):
+            return goals.at_most(f"{where}: of {plain}", found[name, kind].times(found[name, plain]), goals.COLOURS)
     if kind == SEVEN:
         return goals.at_most(f"{where}: of {TWO}", found[name, kind].times(found[name, TWO]), goals.SEVEN)
     return None

@@ -24,6 +24,15 @@ def moving(size):
     return World.from_cells(sand, np.zeros_like(sand), SEED)
 
 
+def in_colours(world):
+    """Return a world with a colour at random for each of its grains."""
+    sand = world.sand
+    colours = np.random.default_rng(SEED).integers(0, 8, sand.shape, np.uint8) * sand
+    coloured = World.from_cells(sand, world.walls, world.seed, colours)
+    coloured.iteration = world.iteration
+    return coloured
+
+
 def moving_iterations(size, most):
     """Return for how many iterations, at most `most`, a lattice of `moving` sand has no part at rest to speak of."""
     return max(4, min(most, size[1] // 2 // 4 * 4))
