@@ -37,6 +37,7 @@ from game.play.timer import Timer
 from game.play.tools import Brush
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
+from game.world import knob
 from game.world.action import Flip, Load, SetRule, Turn
 from game.world.colours import THEMES
 from game.world.comparison import Comparison
@@ -45,6 +46,7 @@ from game.world.scene import load_scene, scene_title
 from game.world.session import Session
 from game.world.settings import Settings
 
+MOST_FORMER = 4  # sessions behind the one that is played
 MARGIN = 8  # pixels at scale 1 around the sand
 
 
@@ -163,6 +165,7 @@ class Toy:
         else:
             self.recovery.close(self.session)
         self._take(session)
+        self._shrink_former()
 
     def leave_session(self):
         """Go back to the session that this one was opened over; return whether there is one."""
@@ -186,6 +189,16 @@ class Toy:
         self.keeper.close()
         self.background.finish()
         self.mixer.close()
+
+    def _shrink_former(self):
+        """Leave those behind little memory, their past computed anew if need be; of many, forget the middle ones.
+
+        The first is the player's own.
+        """
+        for session in self._former:
+            session.timeline.memory_mb = knob.MEMORY.low
+        if len(self._former) > MOST_FORMER:
+            self.recovery.close(self._former.pop(1))
 
     def _take(self, session):
         session.timeline.memory_mb = self.session.timeline.memory_mb

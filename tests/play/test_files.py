@@ -8,6 +8,7 @@ import pytest
 from PIL import Image
 
 from game.play import recorder
+from game.play.toy import MOST_FORMER
 from game.world import journal
 from game.world.assets import asset
 from game.world.history import UNDO, Entry
@@ -15,6 +16,7 @@ from game.world.journal import Journal
 from game.world.picture_file import load_picture
 from game.world.places import folder_of
 from game.world.replay import save_replay
+from game.world.snapshot import MEGABYTE
 from game.world.world import World
 from tests.play.player import Player
 
@@ -150,6 +152,22 @@ def test_every_shipped_replay_can_be_played_from_the_panel(player):
         player.frame()
     player.click(player.control("Back to my sand"))
     assert not player.toy.can_leave_session or player.session.scene.name != "blank"
+
+
+def test_many_replays_take_no_more_memory_and_the_players_own_sand_stays_behind_them(player):
+    player.click(player.pixel(60, 40))
+    player.hold_time()
+    own, sand = player.session, player.world.digest()
+    for _ in range(2 * MOST_FORMER):
+        player.drop(asset("replays", "rooms.sandglass"))
+        player.wait(20)
+    former = player.toy._former
+    assert former[0] is own and len(former) == MOST_FORMER
+    assert all(session.timeline.shelf.bytes <= MEGABYTE for session in former)
+    memory = player.session.timeline.memory_mb
+    while player.toy.leave_session():
+        player.frame()
+    assert player.session is own and player.world.digest() == sand and own.timeline.memory_mb == memory
 
 
 def test_a_photo_is_looked_at_before_it_is_taken(player, tmp_path):
