@@ -21,7 +21,7 @@ class TimerFold:
         self.open = ui.fold("Timer", self.open, tip="An hourglass that runs out on time")
         if not self.open:
             return
-        minutes = timer.wanted_s / 60
+        minutes = round(timer.wanted_s / 60, 2)  # as it is shown; seconds that were given as such stay exact
         now = PRESETS.index(minutes) if minutes in PRESETS else -1
         tip = "Minutes until the last grain falls, by the wall clock"
         chosen = ui.segmented("Minutes", tuple(map(str, PRESETS)), now, tip=tip)
