@@ -112,10 +112,15 @@ def follow_few(planes, bits, x, stride, listed, number, tracks):
 
 
 @gate
-def follow_band(planes, at, length, x, rows, stride, listed, number, tracks):
-    """Let the colours of a band follow the tracks of its sand, in place; listed: the `number` words that have any."""
-    bits = colour_places(at, length, 0), colour_places(at, length, 1), colour_places(at, length, 2)
-    if number * CROWD > rows * stride:
-        follow_all(planes, bits, x, rows, stride, tracks)
-    else:
-        follow_few(planes, bits, x, stride, listed, number, tracks)
+def many_moved(tracks, size):
+    """Return whether so many of `size` words have tracks that following in all words is cheaper."""
+    moved = _ZERO
+    for i in range(size):
+        moved += np.uint64(tracks.moved[i])
+    return moved * np.uint64(CROWD) > size
+
+
+@gate
+def bits_of_colours(at, length):
+    """Return the Places of each bit of the colours; at: those of sand."""
+    return colour_places(at, length, 0), colour_places(at, length, 1), colour_places(at, length, 2)

@@ -14,7 +14,7 @@ import numpy as np
 
 from game.core.block import events
 from game.core.chance import STAGE, iteration_key, random_word, seed_stream
-from game.core.colour import Tracks, add_tracks, follow_band, leave_tracks
+from game.core.colour import Tracks, add_tracks, bits_of_colours, follow_all, follow_few, leave_tracks, many_moved
 from game.core.jit import gate, kernel
 from game.core.planes import SHIFTED_WALLS, WALLS
 from game.core.seam import close_seams, open_seams
@@ -268,8 +268,12 @@ def move_by_chance(planes, at, size, place, room, key, chance, seven):
 def move_colours(planes, at, length, x, rows, stride, listed, tracks):
     """Let the colours of a band follow its sand, in place, if there are any."""
     if tracks is not None:
-        number = list_flagged(tracks.moved, np.uint64(rows * stride), listed)
-        follow_band(planes, at, length, x, rows, stride, listed, number, tracks)
+        bits, size = bits_of_colours(at, length), np.uint64(rows * stride)
+        if many_moved(tracks, size):
+            follow_all(planes, bits, x, rows, stride, tracks)
+        else:
+            number = list_flagged(tracks.moved, size, listed)
+            follow_few(planes, bits, x, stride, listed, number, tracks)
 
 
 @gate
