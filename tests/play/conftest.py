@@ -10,6 +10,7 @@ from tests.play.player import Player
 def player():
     """Return a Player of the blank scene."""
     yield Player()
+    pygame.mixer.quit()
     pygame.display.quit()
 
 
@@ -17,4 +18,5 @@ def player():
 def glass():
     """Return a Player of the hourglass."""
     yield Player("hourglass")
+    pygame.mixer.quit()
     pygame.display.quit()
