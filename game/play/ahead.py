@@ -22,6 +22,7 @@ class Ahead:
         self._by_button = False  # it is the panel's button that is held
         self._reached = None  # a function of (world, rule) that says whether what is looked for is there
         self._before = None  # the course at the start of this frame
+        self._where = None  # the session, its scene and the lattice in which it began
         self._narrowing = False  # the iteration is being looked for among those of the last frame
         self._start = 0  # the iteration at which it began
         self._since_s = 0.0
@@ -103,6 +104,9 @@ class Ahead:
         session = self._toy.session
         if self._mode is None:
             return
+        if self._where != _where(session):
+            self.stop()
+            return
         session.due = session.done  # as many as the frame holds is not too many
         if self._before is None or self._narrowing:
             return
@@ -129,6 +133,7 @@ class Ahead:
         if self._toy.is_there():
             self._mode, self._reached = mode, reached
             self._start, self._since_s = self._toy.session.now, time.monotonic()
+            self._where = _where(self._toy.session)
 
     def _narrow(self):
         """Find the first iteration of this frame at which it was so, beside the frames that follow."""
@@ -140,8 +145,12 @@ class Ahead:
             return first_moment(course, end, lambda world: reached(world, course.moment.rule))
 
         def take(found):
-            if self._narrowing and self._toy.session.timeline is timeline and timeline.history.line is line:
+            if not self._narrowing:
+                return
+            if self._toy.session.timeline is timeline and timeline.history.line is line:
                 self._arrive(found)
+            else:
+                self.stop()
 
         self._toy.background.do(work, take)
 
@@ -156,3 +165,7 @@ class Ahead:
         if self._mode == AWAITING:
             session.paused = True
         self.stop()
+
+
+def _where(session):
+    return session, session.scene, session.world.shape

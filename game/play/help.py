@@ -130,19 +130,36 @@ def _column(way, column, place, meanings):
 
 def _fitting(theme, window):
     """Return the largest print that fits into the window, or the smallest there is."""
+    scales = [theme.scale]
+    while scales[-1] > knob.UI_SCALE.low:
+        scales.append(max(scales[-1] * SMALLER, knob.UI_SCALE.low))
+    scale = scales[_first(lambda scale: _print_in(_at(theme, scale), window)[1], scales)]
+    return _print_in(_at(theme, scale), window)[0]
+
+
+def _at(theme, scale):
+    return theme if scale == theme.scale else look.theme_of(scale, theme.colours)
+
+
+def _first(fits, scales):
+    """Return the place of the first of `scales` that fits, if those after it do as well, or of the last."""
+    low, high = 0, len(scales) - 1
+    while low < high:
+        middle = (low + high) // 2
+        low, high = (low, middle) if fits(scales[middle]) else (middle + 1, high)
+    return low
+
+
+def _print_in(theme, window):
+    """Return (the largest print of a theme that fits into the window, or the last one tried; whether it fits)."""
     every = groups()
-    scale = theme.scale
-    while True:
-        for size in (look.BODY, look.SMALL):
-            for count in range(1, min(MOST_COLUMNS, len(every)) + 1):
-                way = _Print(theme, size, _columns(every, count))
-                room = window.inflate(-2 * theme.px(PAD) - 2, -2 * theme.px(PAD) - theme.px(HEAD) - 2)
-                if way.height <= room.height and way.width <= room.width:
-                    return way
-        if scale == knob.UI_SCALE.low:
-            return way
-        scale = max(scale * SMALLER, knob.UI_SCALE.low)
-        theme = look.Theme(scale, theme.colours)
+    room = window.inflate(-2 * theme.px(PAD) - 2, -2 * theme.px(PAD) - theme.px(HEAD) - 2)
+    for size in (look.BODY, look.SMALL):
+        for count in range(1, min(MOST_COLUMNS, len(every)) + 1):
+            way = _Print(theme, size, _columns(every, count))
+            if way.height <= room.height and way.width <= room.width:
+                return way, True
+    return way, False
 
 
 def _columns(every, count):

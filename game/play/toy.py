@@ -205,6 +205,7 @@ class Toy:
         self.brush.let_go()
         self.stage, self.session = self._stage_of(session), session
         self.lay_out_anew()
+        self._fit()  # what else is heard in this frame finds the stage laid out
 
     def _stage_of(self, session):
         return Panes(self.window, self, session) if isinstance(session, Comparison) else Stage(self.window)
@@ -275,7 +276,7 @@ class Toy:
         """Keep the colours and the UI scale that were asked for, as far as the window leaves room for it."""
         wanted = panel.fitting_scale(self.settings["ui_scale"], self.window.size[0]), self.colours
         if wanted != (self.theme.scale, self.theme.colours):
-            self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.Theme(*wanted)
+            self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.theme_of(*wanted)
 
     @cache  # noqa: B019 - there is one toy, and scene files do not change under it
     def title_of(self, name):

@@ -144,3 +144,19 @@ def test_an_ending_foreseen_is_where_the_flow_ends(watcher):
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher)
     assert watcher.session.now == ending.at
+
+
+def test_another_lattice_ends_the_wait_for_the_flow(watcher):
+    watcher.toy.ahead.await_flow()
+    watcher.toy.load("blank")
+    watcher.frame()
+    assert watcher.toy.ahead.due() is None
+
+
+def test_an_act_while_the_iteration_is_looked_for_ends_the_search(watcher):
+    watcher.toy.ahead.await_flow()
+    while watcher.toy.ahead.due() != 0:
+        watcher.frame()
+    watcher.toy.do(SetRule(Rule.with_p(0.25)))
+    watcher.settle()
+    assert watcher.toy.ahead.due() is None

@@ -8,6 +8,7 @@ import pytest
 from PIL import Image
 
 from game.play import recorder
+from game.play.files import demos
 from game.play.toy import MOST_FORMER
 from game.world import journal
 from game.world.assets import asset
@@ -363,3 +364,11 @@ def test_a_held_key_records_once(player):
     for _ in range(4):
         player.press(pygame.K_g)
     assert player.toy.recorder.going_on
+
+
+def test_the_pointer_is_heard_in_the_frame_in_which_a_replay_opens(player):
+    before = player.session
+    player.toy.files.play_demo(demos()[0])
+    while player.toy.background.busy:
+        player.frame(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=(300, 300), button=1), elapsed_ns=0)
+    assert player.session is not before

@@ -33,7 +33,10 @@ BODY = 14
 HEADING = 15
 SMALL = 12
 
+MOST_KEPT = 4  # themes: more hold more text and sprites, fewer draw them anew at each change of size
 SMOOTHING = 8  # sprites are drawn this many times larger and shrunk
+
+_kept = {}  # (scale, id of the colours): Theme, the one used last at the end
 
 
 class Theme:
@@ -115,6 +118,16 @@ class Theme:
         big = [(x * size[0] * SMOOTHING, y * size[1] * SMOOTHING) for x, y in points]
         colour = self.rgb(colour)
         return _smooth(size, colour, lambda canvas: pygame.draw.polygon(canvas, colour, big))
+
+
+def theme_of(scale, colours):
+    """Return the Theme at a UI scale and in a set of colours; the last few are kept, with all that they have drawn."""
+    key = scale, id(colours)  # a theme keeps its colours alive, and so their id its own
+    theme = _kept.pop(key, None) or Theme(scale, colours)
+    _kept[key] = theme
+    if len(_kept) > MOST_KEPT:
+        del _kept[next(iter(_kept))]
+    return theme
 
 
 def _smooth(size, colour, draw):
