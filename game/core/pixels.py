@@ -6,6 +6,8 @@ colours of both in one table. Where sand has colours, a look has two bits more, 
 in the looks of sand, and the table is a larger one.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from game.core.jit import gate, kernel
@@ -27,6 +29,7 @@ _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
 _LAST = np.uint64(BITS - 1)
 _BYTE = np.uint64(255)
+_UPPER_BITS, _ONE_BIT = np.uint32(0xFEFEFEFE), np.uint32(1)  # all of each channel but the lowest bit
 _POINT_BITS = 20  # positions in a turned picture are fixed-point numbers with this many binary places
 _POINT = 1 << _POINT_BITS
 
@@ -166,20 +169,75 @@ def _copy(source, first, target, start, size):
         target[to + j] = source[of + j]
 
 
+class Row(NamedTuple):
+    """Working memory for one lattice row."""
+
+    bits: np.ndarray  # (8, words) uint64: the bits of the looks of the even and of the odd columns
+    more: np.ndarray  # (4, words) uint64: the upper ones in a world with colours
+    room: np.ndarray  # (words,) uint64
+    looks: np.ndarray  # (64·words,) uint16: those of two neighbours
+
+
+@gate
+def _cells_of_row(planes, decor, dyed, stride, words, y, shades, pairs, samples, blends, row, colours):
+    """Write the colours of lattice row y, those of two neighbours a word, to (64·words,) uint64."""
+    _bits_of_row(planes, decor, stride, words, y, 0, row.bits[:4])
+    _bits_of_row(planes, decor, stride, words, y, 1, row.bits[4:])
+    if dyed is not None:
+        _dye_bits(planes, stride, words, y, 0, row.bits[:4], row.more[:2])
+        _dye_bits(planes, stride, words, y, 1, row.bits[4:], row.more[2:])
+    _spread(row.bits, words, row.room, row.looks)
+    if dyed is not None:
+        _spread_more(row.more, words, row.room, row.looks)
+    _colours_of_row(row.looks, shades[y % TEXTURE], pairs, colours)
+    if samples.shape[0]:
+        cells = colours.view(np.uint32)
+        blend_row(planes, decor, dyed, samples, stride, words, y, shades[y % TEXTURE], blends, cells)
+
+
+@gate
+def _mean(one, other):
+    """Return the mean of two colours, each channel rounded down."""
+    return (one & other) + (((one ^ other) & _UPPER_BITS) >> _ONE_BIT)
+
+
+@gate
+def _mix(cells, others):
+    """Mix the cells of a row with those of another, in place."""
+    for k in range(cells.size):
+        cells[k] = _mean(cells[k], others[k])
+
+
+@gate
+def _mix_neighbours(cells, mixed):
+    """Write the mean of each cell of a row and the next one."""
+    for k in range(cells.size - 1):
+        mixed[k] = _mean(cells[k], cells[k + 1])
+
+
 @kernel
-def draw_cells(planes, decor, dyed, stride, words, columns, rows, shades, pairs, samples, blends, pixels, top, left):
+def draw_cells(
+    planes, decor, dyed, stride, words, columns, rows, ends, shades, pairs, samples, blends, pixels, top, left
+):
     """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
     decor: None, or what stands still behind or in the cells, see core.decor. dyed: None, or True where sand has
     colours. columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the lattice row of each
     pixel row from `top`. shades: (TEXTURE, 64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives.
     samples, blends: those of `core.streams.blend_row`, or no samples.
+
+    ends: None, or int32, the last lattice row of each pixel row, where a pixel may hold two by two cells, which it then
+    mixes; columns of those that hold two are 128·words more than the first of them.
     """
-    bits, more = np.empty((8, words), np.uint64), np.empty((4, words), np.uint64)
-    room = np.empty(words, np.uint64)
-    looks = np.empty(BITS * words, np.uint16)
-    colours = np.empty(BITS * words, np.uint64)
-    cells = colours.view(np.uint32)
+    row = Row(
+        np.empty((8, words), np.uint64),
+        np.empty((4, words), np.uint64),
+        np.empty(words, np.uint64),
+        np.empty(BITS * words, np.uint16),
+    )
+    colours = np.empty((3, BITS * words), np.uint64)  # of a row; of each two neighbours mixed; of the next row
+    cells = colours[:2].reshape(-1).view(np.uint32)
+    own, mixed, others = colours[0].view(np.uint32), colours[1].view(np.uint32), colours[2].view(np.uint32)
     width = len(columns)
     unscaled = columns[width - 1] - columns[0] == width - 1
     for i in range(len(rows)):
@@ -188,22 +246,24 @@ def draw_cells(planes, decor, dyed, stride, words, columns, rows, shades, pairs,
         if i > 0 and y == rows[i - 1]:
             _copy(pixels[top + i - 1], left, line, left, width)
             continue
-        _bits_of_row(planes, decor, stride, words, y, 0, bits[:4])
-        _bits_of_row(planes, decor, stride, words, y, 1, bits[4:])
-        if dyed is not None:
-            _dye_bits(planes, stride, words, y, 0, bits[:4], more[:2])
-            _dye_bits(planes, stride, words, y, 1, bits[4:], more[2:])
-        _spread(bits, words, room, looks)
-        if dyed is not None:
-            _spread_more(more, words, room, looks)
-        _colours_of_row(looks, shades[y % TEXTURE], pairs, colours)
-        if samples.shape[0]:
-            blend_row(planes, decor, dyed, samples, stride, words, y, shades[y % TEXTURE], blends, cells)
+        _cells_of_row(planes, decor, dyed, stride, words, y, shades, pairs, samples, blends, row, colours[0])
+        if ends is not None:
+            if ends[i] > y:
+                end = ends[i]
+                _cells_of_row(planes, decor, dyed, stride, words, end, shades, pairs, samples, blends, row, colours[2])
+                _mix(own, others)
+            _mix_neighbours(own, mixed)
         if unscaled:
             _copy(cells, columns[0], line, left, width)
         else:
             for j in range(width):
                 line[left + j] = cells[columns[j]]
+
+
+def mixed_columns(edges, words):
+    """Return the `columns` of `draw_cells` for pixel columns between lattice columns `edges`, where they may mix."""
+    first, last = edges[:-1], edges[1:] - 1
+    return (first + np.where(last > first, 2 * BITS * words, 0)).astype(np.uint32)
 
 
 def dyed(look):

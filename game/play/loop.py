@@ -1,15 +1,16 @@
 """The loop: opens the window, makes the kernels ready behind a splash, and runs frame after frame."""
 
-import threading
 import time
 
 import pygame
 
 from game.play import hud, panel, splash
+from game.play.layout import Layout
 from game.play.toy import Toy
 from game.play.ui.theme import Theme
 from game.play.window import NoDisplayError, Window
-from game.world.companion import steps_to_play
+from game.world.companion import Worker, steps_to_play
+from game.world.view import View
 
 __all__ = ["NoDisplayError", "play"]
 
@@ -27,23 +28,33 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     remembered = settings["window_width"], settings["window_height"]
     size = remembered if all(remembered) and not cell else window_size(scene, cell or scene.cell, theme)
     window = Window(size, fullscreen)
-    dense = scene.shape[1] > window.size[0] or scene.shape[0] > window.size[1]
-    first, later = steps_to_play(scene.rule, scene.made_of, dense, scene.colours is not None)
-    if not _make_ready(window, theme, first):
-        return 0
-    toy = Toy(window, scene, seed, p, settings)
-    threading.Thread(target=_do_all, args=(later,), daemon=True).start()
-    toy.recovery.start()
-    if recording:
-        toy.files.play(recording, recording.scene.title)
-    if timer_s is not None:
-        toy.timer.set(timer_s)
-        toy.timer.start()
-        toy.panel.timer.open = True
-    run(toy)
-    pygame.quit()
-    toy.close()
+    cell = View.fit(scene.shape, *Layout(theme, window.size, panel_shown=True).sand).cell
+    first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, scene.colours is not None)
+    worker = Worker(first)
+    try:
+        if _make_ready(window, theme, worker):
+            worker = Worker(later)
+            toy = Toy(window, scene, seed, p, settings)
+            toy.recovery.start()
+            if recording:
+                toy.files.play(recording, recording.scene.title)
+            if timer_s is not None:
+                _start_timer(toy, timer_s)
+            run(toy)
+            pygame.quit()
+            toy.close()
+    finally:
+        pygame.quit()
+        if companion:
+            companion.close()
+        worker.stop()
     return 0
+
+
+def _start_timer(toy, timer_s):
+    toy.timer.set(timer_s)
+    toy.timer.start()
+    toy.panel.timer.open = True
 
 
 def run(toy):
@@ -64,24 +75,14 @@ def window_size(scene, cell, theme):
     return width + theme.px(panel.WIDTH), max(height + theme.px(hud.HEIGHT), theme.px(560))
 
 
-def _make_ready(window, theme, steps):
-    """Do the steps in the background while a splash says which; return whether the player stayed."""
-    done = []
-    worker = threading.Thread(target=_do_all, args=(steps, done), daemon=True)
-    worker.start()
-    while worker.is_alive():
+def _make_ready(window, theme, worker):
+    """Show a splash that says what a Worker is at until it is done; return whether the player stayed."""
+    steps = worker.steps
+    while not worker.wait(1 / 30):
         if any(event.type == pygame.QUIT for event in pygame.event.get()):
             return False
-        number = min(len(done), len(steps) - 1)
+        number = min(worker.done, len(steps) - 1)
         words = f"Compiling {steps[number][0]} … ({number + 1} of {len(steps)}, once on this machine)"
         splash.draw_splash(window.surface, theme, words, number / len(steps))
         window.show()
-        worker.join(1 / 30)
     return True
-
-
-def _do_all(steps, done=None):
-    for what, act in steps:
-        act()
-        if done is not None:
-            done.append(what)

@@ -18,7 +18,7 @@ from game.play.ui.theme import Theme
 from game.play.window import Window
 from game.world import knob
 from game.world.advance import advance
-from game.world.prepare import later_steps, steps
+from game.world.prepare import CELLS, later_steps, steps
 from game.world.scene import load_scene
 from game.world.settings import Settings
 
@@ -42,8 +42,9 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
     """
     pygame.font.init()
     window = Window(window_size or loop.window_size(scene, scene.cell, Theme(1.0)))
-    for _, act in steps(scene.rule, scene.made_of, dense=True):
-        act()
+    for cell in CELLS:
+        for _, act in steps(scene.rule, scene.made_of, cell):
+            act()
     for _, act in later_steps(scene.rule) if shown else ():
         act()
     toy = Toy(window, scene, p=p)

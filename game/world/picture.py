@@ -4,13 +4,14 @@ import numpy as np
 
 from game.core.decor import decor_of
 from game.core.density_pixels import draw_density, shift_edges
-from game.core.pixels import LOOKS, TEXTURE, draw_cells, dyed, pairs_of, shades_of
+from game.core.pixels import LOOKS, TEXTURE, draw_cells, dyed, mixed_columns, pairs_of, shades_of
 from game.core.planes import WALLS, layout
 from game.world import light
 from game.world.colours import NIGHT, dyed_palette, rgb
 from game.world.streams import NO_SAMPLES
 
 NO_BLENDS = np.zeros((0, 0, 0, 0), np.uint32)
+MIXED_BY_TWO = 0.5  # pixels to a cell: from here on a pixel holds no more than two cells in a row, and they are mixed
 MOST_DECORATED = 2**24  # cells: in a larger lattice, a painted wall would hold a frame up for too long
 
 
@@ -48,9 +49,11 @@ class Painter:
     def look_through(self, view):
         """Draw through another view of the same lattice, everything at first."""
         self.view, self._world = view, None
-        self._counts = view.dense and self._lights is not None
-        if self._counts:
-            self._columns = shift_edges(view.column_edges, layout(*view.shape).words)
+        self._mixes = view.dense and self._lights is not None
+        self._counts = self._mixes and view.cell < MIXED_BY_TWO
+        words = layout(*view.shape).words
+        if self._mixes:
+            self._columns = (shift_edges if self._counts else mixed_columns)(view.column_edges, words)
             self._rows = view.row_edges
         else:
             self._columns, self._rows = view.columns.astype(np.uint32), view.rows
@@ -103,7 +106,7 @@ class Painter:
     def _pixels_of(self, first, last):
         """Return the span of pixel rows in sight that show any of the lattice rows from `first` to before `last`."""
         top, rows = self.view.seen[1], self._rows
-        if self._counts:
+        if self._mixes:
             first, last = max(np.searchsorted(rows, first, "right") - 1, 0), np.searchsorted(rows[:-1], last)
         else:
             first, last = np.searchsorted(rows, (first, last))
@@ -114,16 +117,18 @@ class Painter:
 
     def _draw_rows(self, world, pixels, top, bottom):
         left, first, _, _ = self.view.seen
-        where, columns, rows = world.layout, self._columns, self._rows[top - first : bottom - first + self._counts]
+        where, columns, rows = world.layout, self._columns, self._rows[top - first : bottom - first + self._mixes]
         coloured = True if world.coloured else None
-        what = world.planes, self._decor, coloured, where.stride, where.words, columns, rows
+        what = world.planes, self._decor, coloured, where.stride, where.words, columns
         if self._counts:
             plain, decor, dyes = self._lights
             lights = [plain, *([] if self._decor is None else [decor]), *([dyes] if coloured else [])]
-            draw_density(*what, np.concatenate(lights), self._channels, pixels, top, left)
+            draw_density(*what, rows, np.concatenate(lights), self._channels, pixels, top, left)
         else:
+            ends = np.maximum(rows[1:] - 1, rows[:-1]) if self._mixes else None
+            rows = rows[:-1] if self._mixes else rows
             pairs = self._dyed_pairs if coloured else self._pairs
-            draw_cells(*what, self._shades, pairs, self._samples, self._blends, pixels, top, left)
+            draw_cells(*what, rows, ends, self._shades, pairs, self._samples, self._blends, pixels, top, left)
 
 
 def _merged(spans):

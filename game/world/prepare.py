@@ -18,6 +18,7 @@ from game.world.streams import Streams
 from game.world.view import View
 from game.world.world import World
 
+CELLS = (1, 0.6, 0.25)  # pixels to a cell: each is drawn in another way
 KINDS = {  # a rule for each kind of kernel
     "sand that always moves": Rule(),
     "sand that topples by chance": Rule.with_p(0.5),
@@ -25,13 +26,12 @@ KINDS = {  # a rule for each kind of kernel
 }
 
 
-def steps(rule, walls, dense=False, coloured=False):
+def steps(rule, walls, cell=1, coloured=False):
     """Return [(what, act)], every kernel that showing a scene with `rule` needs; call each act to make it ready.
 
-    walls: what they are made of. dense: the scene has more cells than the window has pixels. coloured: its sand has
-    colours.
+    walls: what they are made of. cell: pixels to a cell. coloured: whether the sand has colours.
     """
-    return moving_steps(rule, coloured) + drawing_steps(walls, dense, coloured)
+    return moving_steps(rule, coloured) + drawing_steps(walls, cell, coloured)
 
 
 def moving_steps(rule, coloured=False):
@@ -42,10 +42,9 @@ def moving_steps(rule, coloured=False):
     ]
 
 
-def drawing_steps(walls, dense=False, coloured=False):
+def drawing_steps(walls, cell=1, coloured=False):
     """Return the steps of `steps` that draw."""
-    afar = [("drawing from afar", lambda: _draw_from_afar(walls, coloured))] if dense else []
-    return [*afar, ("drawing", lambda: _draw(walls, coloured))]
+    return [("drawing", lambda: _draw(walls, cell, coloured))]
 
 
 def later_steps(rule):
@@ -56,13 +55,19 @@ def later_steps(rule):
         ("the turn of the glass", _turn),
         ("the figures", _figures),
         ("the eraser of fixtures", _eraser),
-        ("drawing glass", lambda: _draw("glass")),
-        ("drawing stone", lambda: _draw("stone")),
-        ("drawing stone from afar", lambda: _draw_from_afar("stone")),
-        ("drawing glass from afar", lambda: _draw_from_afar("glass")),
+        *(
+            (f"drawing {walls}", lambda walls=walls, cell=cell: _draw(walls, cell))
+            for walls in ("glass", "stone")
+            for cell in CELLS
+        ),
         ("the forecast", _forecast),
         ("the measures", lambda: pile_heights(_dot())),
-        *((f"{what} of colours", act) for walls in ("glass", "stone") for what, act in steps(rule, walls, True, True)),
+        *(
+            (f"{what} of colours", act)
+            for walls in ("glass", "stone")
+            for cell in CELLS
+            for what, act in steps(rule, walls, cell, coloured=True)
+        ),
         ("the brush of colours", lambda: _brush(coloured=True)),
         ("figures of colours", lambda: _figures(coloured=True)),
     ] + [
@@ -72,22 +77,20 @@ def later_steps(rule):
     ]
 
 
-def _dot(coloured=False):
+def _dot(coloured=False, side=2):
     """Return a world of a few cells, made when asked for, since making one compiles the layout."""
-    sand = np.eye(2, dtype=bool)
-    return World.from_cells(sand, np.zeros((2, 2), bool), colours=sand.astype(np.uint8) if coloured else None)
+    sand = np.eye(side, dtype=bool)
+    return World.from_cells(sand, np.zeros_like(sand), colours=sand.astype(np.uint8) if coloured else None)
 
 
-def _draw(walls, coloured=False):
-    world, streams = _dot(coloured), Streams()
+def _draw(walls, cell, coloured=False):
+    world, streams = _dot(coloured, side=8), Streams()
     for _ in range(2):
         world.iteration += 1
         streams.note(world)
-    Painter(View.fit((2, 2), 0, 0, 2, 2), walls=walls).draw(world, np.zeros((2, 2), np.uint32), streams=streams)
-
-
-def _draw_from_afar(walls, coloured=False):
-    Painter(View.fit((2, 2), 0, 0, 1, 1), walls=walls).draw(_dot(coloured), np.zeros((1, 1), np.uint32))
+    side = 8 * min(cell, 1)  # more pixels than cells are drawn as one pixel for each is
+    painter = Painter(View(world.shape, 0, 0, side, side), walls=walls)
+    painter.draw(world, np.zeros((8, 8), np.uint32), streams=streams)
 
 
 def _turn():
