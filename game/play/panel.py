@@ -4,11 +4,10 @@ from dataclasses import replace
 
 import pygame
 
-from game.play import appearance, outlook
+from game.play import appearance, outlook, toolbox
 from game.play.files import demos
 from game.play.glass_fold import GlassFold
 from game.play.timer_fold import TimerFold
-from game.play.toolbox import Toolbox
 from game.world import knob
 from game.world.action import SetRule
 from game.world.rule import SCHEDULES, Rule
@@ -42,7 +41,7 @@ class Panel:
         self.ui = ui
         self.all_seven = False  # whether the fold with all probabilities is open
         self.past_open = False  # whether the fold of the past is open
-        self.toolbox, self.timer, self.glass = Toolbox(), TimerFold(), GlassFold()
+        self.timer, self.glass = TimerFold(), GlassFold()
         self._turning = False  # a slider is being dragged, and what it sets is one act
         self._rule = None  # the rule that _p and _bias stand for
         self._p = self._bias = 0.0
@@ -53,10 +52,10 @@ class Panel:
         """Show the controls, obey what was done to them, and return the events that the panel leaves to others."""
         rest = self.ui.begin(rect, events, now_s, mouse_pos)
         self._scene(toy)
-        self.toolbox.lay_out(self.ui, toy)
         self._friction(toy)
         self._time(toy)
         self._past(toy)
+        toolbox.show(self.ui, toy)
         outlook.show(self.ui, toy)
         self._window(toy)
         return rest
@@ -133,11 +132,6 @@ class Panel:
             toy.commands.pause()
         if ui.button("Step", key=".", tip="Lets the sand move by one iteration"):
             toy.commands.step()
-        ui.row(2)
-        if ui.button("Flip", key="F", tip="Turns the glass over"):
-            toy.commands.flip()
-        if ui.button("Restart", key="R", tip="Starts the scene again"):
-            toy.commands.restart()
         ui.row(3)
         ui.button(FAST, key="Right", tip="Hold it: time goes as fast as the frames can hold")
         toy.ahead.hold(ui.focus.held == FAST)
@@ -145,6 +139,11 @@ class Panel:
             toy.commands.settle()
         if ui.button("Flow", key="Shift+Right", tip="Runs until a grain next passes the neck"):
             toy.commands.await_flow()
+        ui.row(2)
+        if ui.button("Flip", key="F", tip="Turns the glass over"):
+            toy.commands.flip()
+        if ui.button("Restart", key="R", tip="Starts the scene again"):
+            toy.commands.restart()
         self.timer.lay_out(ui, toy)
         self.glass.lay_out(ui, toy)
 
