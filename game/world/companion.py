@@ -67,13 +67,13 @@ class Worker:
             self.done += 1
 
 
-def steps_to_play(rule, walls, cell=1, coloured=False):
+def steps_to_play(rule, walls, cell=1, coloured=False, fixtures=()):
     """Return the steps (what, act) to do before the first frame, those after it, and the Companion or None.
 
     `prepare` says what they are. While the cache is new, a companion compiles what comes after the kernels that move
     sand.
     """
-    own, later = prepare.moving_steps(rule, coloured), prepare.later_steps(rule)
+    own, later = prepare.moving_steps(rule, coloured, fixtures), prepare.later_steps(rule)
     drawing, companion = prepare.drawing_steps(walls, cell, coloured), None
     if jit.NEW and not getattr(sys, "frozen", False):
         companion = Companion(_compile, rule, walls, cell, coloured)

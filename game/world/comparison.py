@@ -109,6 +109,7 @@ def present(session):
         scene,
         sand=sand,
         walls=walls,
+        colours=world.colours if world.coloured else None,
         rule=session.rule,
         fixtures=world.fixtures,
         speed=session.clock.speed,

@@ -4,9 +4,10 @@ import numpy as np
 
 from game.core.heat import lay_heat, mean_levels
 from game.core.pixels import draw_turned
+from game.world import fixture
 from game.world.action import Draw, Fill, Paint, Turn, apply
 from game.world.advance import advance
-from game.world.fixture import TAP, Fixture
+from game.world.fixture import DRAIN, TAP, Fixture
 from game.world.forecast import growing_counts
 from game.world.forecaster import Question, answer_of
 from game.world.heat_colours import cover
@@ -26,17 +27,19 @@ KINDS = {  # a rule for each kind of kernel
 }
 
 
-def steps(rule, walls, cell=1, coloured=False):
+def steps(rule, walls, cell=1, coloured=False, fixtures=()):
     """Return [(what, act)], every kernel that showing a scene with `rule` needs; call each act to make it ready.
 
-    walls: what they are made of. cell: pixels to a cell. coloured: whether the sand has colours.
+    walls: what they are made of. cell: pixels to a cell. coloured: whether the sand has colours. fixtures: its
+    taps and drains.
     """
-    return moving_steps(rule, coloured) + drawing_steps(walls, cell, coloured)
+    return moving_steps(rule, coloured, fixtures) + drawing_steps(walls, cell, coloured)
 
 
-def moving_steps(rule, coloured=False):
+def moving_steps(rule, coloured=False, fixtures=()):
     """Return the steps of `steps` that move sand."""
     return [
+        *([("taps and drains", lambda: _flow(coloured))] if fixtures else []),
         ("the layout of the cells", lambda: (_dot(coloured).sand, _dot(coloured).flip())),
         (_kind_of(rule), lambda: advance(_dot(coloured), rule, 1)),
     ]
@@ -105,6 +108,12 @@ def _brush(coloured=False):
 def _figures(coloured=False):
     for act in (Draw("ellipse", "sand", (0.5, 0.5), (1.5, 1.5)), Fill("sand", (0.5, 0.5)), Turn(1)):
         apply(act, _dot(coloured), Rule())
+
+
+def _flow(coloured):
+    world = _dot(coloured)
+    world.fixtures = (Fixture(TAP, 0, 0), Fixture(DRAIN, 1, 1))
+    fixture.act(world)
 
 
 def _eraser():

@@ -3,6 +3,8 @@
 import os
 from dataclasses import dataclass, replace
 from pathlib import Path
+from weakref import WeakValueDictionary
+from zlib import crc32
 
 import numpy as np
 
@@ -27,6 +29,8 @@ SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of the
 SIDES = ("height", "width")
 KEYS = ("title", "notice", *SIDES, *SOURCES, TAP, DRAIN, "walls", "rule", "speed", "cell")
 
+_known = WeakValueDictionary()  # (shape, dtype, checksum): the cells of scenes that are still told of
+
 
 @dataclass(frozen=True, eq=False)
 class Scene:
@@ -47,6 +51,10 @@ class Scene:
     glass: Glass | None = None  # the one hourglass that it is made of, if it is
     shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
 
+    def __post_init__(self):
+        for name in ("sand", "walls", "colours"):
+            object.__setattr__(self, name, _shared(getattr(self, name)))
+
     @property
     def shape(self):
         """The lattice's (height, width) in cells."""
@@ -57,6 +65,14 @@ class Scene:
         world = World.from_cells(self.sand, self.walls, seed, self.colours)
         world.fixtures = self.fixtures
         return world
+
+
+def _shared(cells):
+    """Return an equal array of another scene, if there is one, so that a scene loaded again takes no more memory."""
+    if cells is None or cells.flags.writeable or not cells.flags.c_contiguous:
+        return cells
+    same = _known.setdefault((cells.shape, cells.dtype.str, crc32(cells)), cells)
+    return same if np.array_equal(same, cells) else cells
 
 
 def load_scene(name_or_path, size=None):

@@ -109,3 +109,9 @@ def test_the_present_is_a_scene_that_starts_where_a_session_is():
     world = present(session).world(4)
     assert (world.sand == session.world.sand).all() and (world.walls == session.world.walls).all()
     assert present(session).rule == Rule.with_p(0.2) and present(session).neck == 30
+
+
+def test_coloured_sand_is_compared_as_it_lies_now():
+    session = Session(load_scene("rainbow"), 1)
+    session.timeline.run(60)
+    assert present(session).world(1).grains_by_colour == session.world.grains_by_colour

@@ -435,3 +435,8 @@ def test_damaged_bytes_raise_scene_error_or_load(tmp_path, at, damage):
         loaded(tmp_path, raw[:at] + damage + raw[at + 2 :], (12, 9)).world()
     except SceneError as error:
         assert str(error).isprintable()
+
+
+def test_a_scene_loaded_again_shares_its_cells():
+    one, other = load_scene("rainbow"), load_scene("rainbow")
+    assert one.sand is other.sand and one.walls is other.walls and one.colours is other.colours
