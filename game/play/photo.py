@@ -20,7 +20,7 @@ class PhotoCard:
     def __init__(self, toy):
         self._toy = toy
         self._card = self._photo = self._found = None
-        self._threshold = THRESHOLD.default
+        self._threshold, self._in_colours = THRESHOLD.default, True
 
     @property
     def shown(self):
@@ -34,8 +34,8 @@ class PhotoCard:
 
     def show(self, photo):
         """Open the card with a Photo."""
-        self._photo, self._threshold = photo, THRESHOLD.default
-        self._found = photo.picture(self._threshold)
+        self._photo, self._threshold, self._in_colours = photo, THRESHOLD.default, True
+        self._found = photo.picture(self._threshold, self._in_colours)
         self._card = Card(self._toy.theme, WIDTH)
         self._toy.refresh()
 
@@ -46,8 +46,10 @@ class PhotoCard:
         ui.heading(f"{self._photo.path.name} as sand")
         self._room = ui.place(self._toy.theme.px(PICTURE_HEIGHT), self._toy.theme.px(8))
         threshold = ui.slider("Threshold", THRESHOLD, self._threshold, tip=None)
-        if threshold != self._threshold:
-            self._threshold, self._found = threshold, self._photo.picture(threshold)
+        in_colours = ui.toggle("In colours", self._in_colours, tip="Gives each grain the dye most like the photo there")
+        if (threshold, in_colours) != (self._threshold, self._in_colours):
+            self._threshold, self._in_colours = threshold, in_colours
+            self._found = self._photo.picture(threshold, in_colours)
         ui.row(2)
         taken, left = ui.button("Take it", key="Enter"), ui.button("Leave it", key="Esc")
         keys = [event.key for event in rest if event.type == pygame.KEYDOWN and event.key in MARKS]

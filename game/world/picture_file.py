@@ -4,6 +4,7 @@ import io
 import json
 import warnings
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 from typing import NamedTuple
 
@@ -18,12 +19,14 @@ from game.world.drawing import (
     MOST_PIXELS,
     PICTURE_SIZE,
     SAND,
+    SANDS,
     WALL,
     joined,
     nearest_materials,
     parted,
     resampled,
 )
+from game.world.dyes import nearest_dyes
 from game.world.knob import Knob
 from game.world.rule import Rule
 from game.world.saving import FileError, load, save
@@ -87,10 +90,21 @@ class Photo:
     path: Path
     pixels: np.ndarray  # (H, W, 4) uint8, no larger than LARGEST_PHOTO
 
-    def picture(self, threshold=THRESHOLD.default):
-        """Return the Picture with sand where the photo is at least that bright, walls down to half of it."""
+    def picture(self, threshold=THRESHOLD.default, in_colours=False):
+        """Return the Picture with sand where the photo is at least that bright, walls down to half of it.
+
+        in_colours: each grain has the dye that looks most like the photo there, instead of all one colour.
+        """
         level = THRESHOLD.check(threshold)
-        return _picture(self.path, _by_rows(self.pixels, lambda rows: _by_brightness(rows, level)), None)
+        materials = _by_rows(self.pixels, lambda rows: _by_brightness(rows, level))
+        if in_colours:
+            materials = np.where(materials == SAND, self._dyed, materials)
+        return _picture(self.path, materials, None)
+
+    @cached_property
+    def _dyed(self):
+        """The photo as sand alone: the material of the nearest dye in each cell."""
+        return np.array(SANDS, np.uint8)[nearest_dyes(self.pixels[..., :3])]
 
 
 def open_picture(path):

@@ -1,6 +1,7 @@
 """Laws of pictures: one saved is the scene, one edited too, and any other becomes walls and sand."""
 
 import json
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -12,8 +13,9 @@ from game import Rule
 from game.world import saving
 from game.world.action import Load
 from game.world.drawing import COLOURS
-from game.world.dyes import DYED
-from game.world.picture_file import CHUNK, PictureError, load_picture, save_picture
+from game.world.dyes import COLOURS as NAMES
+from game.world.dyes import DYED, nearest_dyes
+from game.world.picture_file import CHUNK, Photo, PictureError, load_picture, save_picture
 from game.world.session import Session
 from tests.world.sessions import SCENES, played, plays
 
@@ -136,3 +138,23 @@ def test_what_is_no_picture_is_refused_in_one_line(tmp_path):
     ):
         with pytest.raises(PictureError, match=words):
             load_picture(tmp_path / name)
+
+
+def test_a_photo_in_colours_has_the_dye_that_each_grain_looks_like():
+    dyes = np.array(list(DYED.values()), np.uint8)
+    numbers = np.random.default_rng(3).integers(len(dyes), size=(40, 30))
+    pixels = np.dstack([dyes[numbers], np.full(numbers.shape, 255, np.uint8)])
+    pixels[5:9, :, 3] = 0
+    photo = Photo(Path("photo.png"), pixels)
+    scene = photo.picture(0.3, in_colours=True).scene
+    assert (scene.colours[scene.sand] == numbers[scene.sand]).all() and scene.sand.sum() == 36 * 30
+    plain = photo.picture(0.6).scene
+    coloured = photo.picture(0.6, in_colours=True).scene
+    assert plain.colours is None and (plain.sand == coloured.sand).all() and (plain.walls == coloured.walls).all()
+
+
+@pytest.mark.parametrize(
+    ("colour", "dye"), [((200, 90, 70), "terracotta"), ((90, 110, 210), "indigo"), ((250, 250, 245), "ivory")]
+)
+def test_a_dye_is_found_by_its_look(colour, dye):
+    assert NAMES[nearest_dyes(np.array([[colour]], np.uint8))[0, 0]] == dye
