@@ -38,12 +38,14 @@ def pack_cells(cells, planes, words):
     height, width = cells.shape
     row = np.zeros(2 * BITS * words, np.uint8)
     pairs, used = row.view(np.uint16), np.zeros(2 * BITS * words, np.uint8)
-    used[:width] = 1
+    for x in range(width):
+        used[x] = 1
     masks = np.zeros((2, words), np.uint64)
     bits = np.empty((2, words), np.uint64)
     _gather(used.view(np.uint16), masks[0], masks[1], words)
     for y in range(height):
-        row[:width] = cells[y]
+        for x in range(width):  # a loop: the message for slices that differ in length takes seconds to compile
+            row[x] = cells[y, x]
         _gather(pairs, bits[0], bits[1], words)
         start = (y >> 1) * (words + 1)
         for parity in range(2):
@@ -68,7 +70,8 @@ def unpack_cells(planes, words, cells):
                 left = (even[start + word] >> shift) & _ONE
                 right = (odd[start + word] >> shift) & _ONE
                 pairs[first + word] = np.uint16(left | (right << _BYTE))
-        cells[y] = row[:width]
+        for x in range(width):
+            cells[y, x] = row[x]
 
 
 def turned_cells(cells, quarters):

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from game.core import planes
 from game.core.heat import lay_heat, mean_levels
 from game.core.pixels import draw_turned
 from game.world import fixture
@@ -80,14 +81,25 @@ def later_steps(rule):
     ]
 
 
-def _dot(coloured=False, side=2):
+def _dot(coloured=False):
     """Return a world of a few cells, made when asked for, since making one compiles the layout."""
-    sand = np.eye(side, dtype=bool)
-    return World.from_cells(sand, np.zeros_like(sand), colours=sand.astype(np.uint8) if coloured else None)
+    sand = np.eye(2, dtype=bool)
+    sand.flags.writeable = False  # as those of scenes
+    walls = sand & False
+    walls.flags.writeable = False
+    return World.from_cells(sand, walls, colours=sand.astype(np.uint8) if coloured else None)
+
+
+def _bare(coloured):
+    """Return a world of 8×8 empty cells, made without compiling the layout."""
+    where = planes.layout(8, 8)
+    bits = planes.empty(where, planes.COLOURED_PLANES if coloured else planes.PLANES)
+    bits[:] = 0
+    return World(bits, where, 0, 0)
 
 
 def _draw(walls, cell, coloured=False):
-    world, streams = _dot(coloured, side=8), Streams()
+    world, streams = _bare(coloured), Streams()
     for _ in range(2):
         world.iteration += 1
         streams.note(world)
