@@ -42,8 +42,8 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
     """
     pygame.font.init()
     window = Window(window_size or loop.window_size(scene, scene.cell, Theme(1.0)))
-    for cell in CELLS:
-        for _, act in steps(scene.rule, scene.made_of, cell):
+    for each in CELLS:
+        for _, act in steps(scene.rule, scene.made_of, each):
             act()
     for _, act in later_steps(scene.rule) if shown else ():
         act()

@@ -4,6 +4,8 @@ import numpy as np
 import pygame
 import pytest
 
+from game.play import timing
+from game.world.scene import load_scene
 from tests.play.player import Player
 
 
@@ -171,3 +173,10 @@ def test_what_changes_out_of_sight_is_seen_when_it_comes_into_sight(glass):
         glass.drag((300, 300), tuple(int(part) for part in rng.integers(20, 560, 2)), button=2)
     glass.hold_time()
     assert is_fresh(glass)
+
+
+@pytest.mark.parametrize(("asked", "shown"), [(24, 24), (None, 9)])
+def test_frames_are_timed_at_the_zoom_that_was_asked_for(asked, shown):
+    report = timing.frames(load_scene("paper"), (900, 700), 1, 2, cell=asked)
+    assert report["pixels_per_cell"] == shown
+    pygame.display.quit()
