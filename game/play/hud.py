@@ -76,8 +76,8 @@ class Hud:
 
 def _books(session):
     """Return what there is to say of grains and memory, from the most to the least of it."""
-    account, shelf, grains = session.account, session.timeline.shelf, session.world.grains
-    sign = "=" if account.balanced(session.world) else "is not"
+    account, shelf, now = session.account, session.timeline.shelf, session.world.grains_by_colour  # counted once
+    grains, sign = sum(now), "=" if now == account.expected_by_colour else "is not"
     came, went = account.painted + account.poured, account.erased + account.swallowed
     audit = f"{account.start:,} + {came:,} - {went:,} {sign} {grains:,} grains"
     memory = f"past {shelf.bytes / MEGABYTE:.1f} of {shelf.budget / MEGABYTE:,.0f} MB"
