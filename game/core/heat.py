@@ -8,7 +8,7 @@ LEVELS = 256
 NEVER, ALWAYS, SOLID = 0, 254, 255  # no run has sand there; every run; a wall, which is left as it is
 
 _LOW, _HIGH = np.uint32(0x00FF00FF), np.uint32(0xFF00FF00)  # two bytes of a pixel, and the other two
-_BYTE = np.uint32(8)
+_BYTE, _HALF = np.uint32(8), np.uint64(32)
 
 
 @kernel
@@ -18,12 +18,15 @@ def heat_levels(counts, runs, walls, levels):
     counts: (H, W) int64. walls: (H, W) bool. What happens at all is above NEVER, what may fail below ALWAYS.
     """
     height, width = counts.shape
+    half, whole = np.float64(runs // 2), np.float64(runs)  # exact, and a quotient of them is rounded too little to err
     for y in range(height):
         for x in range(width):
             count = counts[y, x]
-            level = (count * ALWAYS + runs // 2) // runs
-            if 0 < count < runs:
-                level = min(max(level, NEVER + 1), ALWAYS - 1)
+            level = np.int64((np.float64(count) * ALWAYS + half) / whole)
+            if count > 0 and level <= NEVER:
+                level = NEVER + 1
+            if count < runs and level >= ALWAYS:
+                level = ALWAYS - 1
             levels[y, x] = SOLID if walls[y, x] else level
 
 
@@ -49,34 +52,46 @@ def mean_levels(levels, columns, rows, means):
             means[i, j] = mean
 
 
-@gate
-def _spread(levels, columns, kept, laid, keeps, lays):
-    """Look up what each pixel of a row keeps of the picture, and what is laid over it."""
-    for j in range(len(columns)):
-        level = levels[columns[j]]
-        keeps[j] = kept[level]
-        lays[j] = laid[level]
+def covers_of(kept, laid):
+    """Return (LEVELS,) uint64 for `lay_heat`, two of (LEVELS,) uint32 in one, so that a level is looked up once.
+
+    kept: how much of the pixel below stays, in parts of 256. laid: the pixel value that is added to that.
+    """
+    return kept.astype(np.uint64) | laid.astype(np.uint64) << _HALF
 
 
 @gate
-def _blend(line, keeps, lays):
-    """Mix a row's pixels with what is laid over them."""
-    for j in range(len(keeps)):
-        pixel, keep = line[j], keeps[j]
+def _look_up(levels, columns, unscaled, covers, shown):
+    """Write what lies over each pixel of a row to `shown`: one load for each level that is shown as it lies there."""
+    if unscaled:
+        row = levels[columns[0] : columns[0] + len(columns)]
+        for j in range(len(columns)):
+            shown[j] = covers[row[j]]
+    else:
+        for j in range(len(columns)):
+            shown[j] = covers[levels[columns[j]]]
+
+
+@gate
+def _blend(line, shown):
+    """Mix a row's pixels with what lies over them."""
+    for j in range(len(shown)):
+        pixel, keep = line[j], np.uint32(shown[j])
         low = (((pixel & _LOW) * keep) >> _BYTE) & _LOW
         high = (((pixel >> _BYTE) & _LOW) * keep) & _HIGH
-        line[j] = (low | high) + lays[j]
+        line[j] = (low | high) + np.uint32(shown[j] >> _HALF)
 
 
 @kernel
-def lay_heat(levels, kept, laid, columns, rows, pixels, top, left):
+def lay_heat(levels, covers, columns, rows, pixels, top, left):
     """Lay levels over pixel rows from `top` and columns from `left` of `pixels`, an (h, w) uint32 array, in place.
 
-    columns, rows: the level's column and row for each pixel column and row. kept: (LEVELS,) uint32, how much of the
-    pixel below stays, in parts of 256. laid: (LEVELS,) uint32, the pixel value that is added to that.
+    columns, rows: the level's column and row for each pixel column and row, rising. covers: what `covers_of` gives.
     """
-    keeps, lays = np.empty(len(columns), np.uint32), np.empty(len(columns), np.uint32)
+    width = len(columns)
+    shown = np.empty(width, np.uint64)
+    unscaled = width > 0 and columns[width - 1] - columns[0] == width - 1
     for i in range(len(rows)):
         if i == 0 or rows[i] != rows[i - 1]:
-            _spread(levels[rows[i]], columns, kept, laid, keeps, lays)
-        _blend(pixels[top + i, left : left + len(columns)], keeps, lays)
+            _look_up(levels[rows[i]], columns, unscaled, covers, shown)
+        _blend(pixels[top + i, left : left + width], shown)

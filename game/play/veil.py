@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from game.core.heat import lay_heat, mean_levels
+from game.core.heat import covers_of, lay_heat, mean_levels
 from game.world.heat_colours import cover
 
 
@@ -18,10 +18,10 @@ class Veil:
         """Lay the heat over the spans (top, bottom) of rows of `pixels`, an (h, w) uint32 array, in place, once."""
         if view is not self._view:
             self._look_through(view)
-            self._cover = cover(map_rgb, self.stale)
+            self._covers = covers_of(*cover(map_rgb, self.stale))
         for top, bottom in spans:
             rows = self._rows[max(top - self._top, 0) : max(bottom - self._top, 0)]
-            lay_heat(self._levels, *self._cover, self._columns, rows, pixels, max(top, self._top), self._left)
+            lay_heat(self._levels, self._covers, self._columns, rows, pixels, max(top, self._top), self._left)
 
     def _look_through(self, view):
         """Find out which level each pixel shows; where pixels hold many cells, the mean of their levels."""

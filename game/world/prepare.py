@@ -3,7 +3,7 @@
 import numpy as np
 
 from game.core import planes
-from game.core.heat import lay_heat, mean_levels
+from game.core.heat import covers_of, lay_heat, mean_levels
 from game.core.pixels import draw_turned
 from game.world import fixture
 from game.world.action import Draw, Fill, Paint, Turn, apply
@@ -141,7 +141,7 @@ def _forecast():
     for runs, counts in growing_counts(*still.cells, rule, 1, runs=1):
         answer = answer_of(Question(still, rule, 1, 0, 0, 1), world.walls, counts, runs)
     mean_levels(answer.levels, places, places, np.zeros((1, 1), np.uint8))
-    lay_heat(answer.levels, *cover(rgb), places, places, np.zeros((2, 2), np.uint32), 0, 0)
+    lay_heat(answer.levels, covers_of(*cover(rgb)), places, places, np.zeros((2, 2), np.uint32), 0, 0)
 
 
 def _kind_of(rule):

@@ -1,8 +1,9 @@
 """Heat: counts become levels, and levels lie over a picture once, where they belong."""
 
 import numpy as np
+import pytest
 
-from game.core.heat import ALWAYS, LEVELS, NEVER, SOLID, heat_levels, lay_heat, mean_levels
+from game.core.heat import ALWAYS, LEVELS, NEVER, SOLID, covers_of, heat_levels, lay_heat, mean_levels
 
 
 def levels_of(counts, runs, walls=None):
@@ -28,15 +29,25 @@ def test_walls_have_a_level_of_their_own():
     assert levels_of([[0, 5]], 5, walls).tolist() == [[SOLID, ALWAYS]]
 
 
-def test_a_pixel_keeps_its_share_and_gets_the_rest():
+def test_levels_are_shares_rounded_to_nearest():
+    generator = np.random.default_rng(69)
+    for runs in (3, 255, 10_000, 10**9):
+        counts = generator.integers(1, runs, 10_000)
+        wanted = np.clip((counts * ALWAYS + runs // 2) // runs, NEVER + 1, ALWAYS - 1)
+        assert (levels_of(counts, runs)[0] == wanted).all()
+
+
+@pytest.mark.parametrize("scaled", [True, False])
+def test_a_pixel_keeps_its_share_and_gets_the_rest(scaled):
     generator = np.random.default_rng(70)
-    levels = generator.integers(0, LEVELS, (5, 7)).astype(np.uint8)
+    levels = generator.integers(0, LEVELS, (5, 25)).astype(np.uint8)
     kept = np.arange(1, LEVELS + 1, dtype=np.uint32)
     laid = (LEVELS - kept) // 2 * np.uint32(0x010101)
-    columns, rows = np.sort(generator.integers(0, 7, 20)).astype(np.int32), np.repeat(np.arange(5, dtype=np.int32), 3)
+    columns = np.sort(generator.integers(0, 7, 20)) if scaled else np.arange(3, 23)
+    columns, rows = columns.astype(np.int32), np.repeat(np.arange(5, dtype=np.int32), 3)
     pixels = generator.integers(0, 2**24, (20, 30)).astype(np.uint32)
     before = pixels.copy()
-    lay_heat(levels, kept, laid, columns, rows, pixels, 2, 4)
+    lay_heat(levels, covers_of(kept, laid), columns, rows, pixels, 2, 4)
     for i, row in enumerate(rows):
         for j, column in enumerate(columns):
             level = levels[row, column]
