@@ -25,7 +25,7 @@ def run(scene, frames=knob.FRAMES.default, p=None, seed=0):
     session = Session(scene, seed)
     if p is not None:
         session.do(SetRule(Rule.with_p(p, session.rule.schedule)))
-    for _, act in steps(session.rule, scene.made_of, scene.cell, scene.colours is not None, scene.fixtures):
+    for _, act in steps(session.rule, scene.made_of, scene.cell, scene.coloured, scene.fixtures):
         act()
     height, width = (side * scene.cell for side in scene.shape)
     painter = Painter(View.fit(scene.shape, 0, 0, width, height), walls=scene.made_of)

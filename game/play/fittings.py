@@ -44,7 +44,8 @@ class Carry:
 def fresh(brush, place):
     """Return the fixture that the brush would put at a place: as wide as the brush, a cell high."""
     column, row = cell((snap(place, brush.diameter)[0] - brush.diameter / 2, place[1]))
-    return Fixture(brush.tool, column, row, int(brush.diameter), 1, brush.every if brush.tool == TAP else 1)
+    sand = (brush.every, brush.colour) if brush.tool == TAP else ()
+    return Fixture(brush.tool, column, row, int(brush.diameter), 1, *sand)
 
 
 def marks(fixtures, view, px):

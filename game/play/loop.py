@@ -29,8 +29,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     size = remembered if all(remembered) and not cell else window_size(scene, cell or scene.cell, theme)
     window = Window(size, fullscreen)
     cell = View.fit(scene.shape, *Layout(theme, window.size, panel_shown=True).sand).cell
-    coloured = scene.colours is not None
-    first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, coloured, scene.fixtures)
+    first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures)
     worker = Worker(first)
     try:
         if _make_ready(window, theme, worker):

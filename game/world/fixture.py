@@ -8,14 +8,15 @@ from game.core.figures import RECTANGLE, figure
 from game.core.ink import EMPTY, GRAIN, Ink, by_colour
 from game.core.replicas import full_words
 from game.world import knob
+from game.world.dyes import AMBER, DYES
 from game.world.tally import NONE, added, split
 
 TAP, DRAIN = "tap", "drain"
 FIRST_CELL = knob.Knob("place", 0, -knob.SIDE.high, knob.SIDE.high, "cells", "from the left or upper side", whole=True)
-KEYS = ("x", "y", "width", "height", "every")
+KEYS = {kind: ("x", "y", "width", "height", "every") for kind in (TAP, DRAIN)}
+KEYS[TAP] += ("colour",)
 SIDE = knob.Knob("side", 1, 1, 200, "cells", "width or height of a fixture", whole=True)
 MOST = 1000  # fixtures of a world
-INKS = {TAP: Ink(GRAIN, 1 << EMPTY), DRAIN: Ink(EMPTY, 1 << GRAIN)}
 
 
 class Traffic(NamedTuple):
@@ -39,6 +40,11 @@ class Fixture:
     width: int = 1  # cells
     height: int = 1
     every: int = 1  # iterations
+    colour: str = AMBER  # of the sand that a tap pours: one of DYES
+
+    def __str__(self):
+        """What digests are made of: amber goes without saying, as it did before taps had colours."""
+        return f"Fixture({', '.join(f'{key}={value!r}' for key, value in self.as_dict().items())})"
 
     @property
     def box(self):
@@ -50,6 +56,13 @@ class Fixture:
         """The (column, row) of each of its cells."""
         left, top, right, bottom = self.box
         return [(x, y) for y in range(top, bottom) for x in range(left, right)]
+
+    @property
+    def ink(self):
+        """What it leaves in its cells, and which of them take it."""
+        if self.kind == TAP:
+            return Ink(GRAIN, 1 << EMPTY, colour=DYES.index(self.colour))
+        return Ink(EMPTY, 1 << GRAIN)
 
     def moved(self, right, down):
         """Return it so many cells away."""
@@ -66,11 +79,14 @@ class Fixture:
     def scaled(self, x, y):
         """Return it on a lattice so many times as wide and as high."""
         sides = (int(min(max(1, round(side)), SIDE.high)) for side in (self.width * x, self.height * y))
-        return Fixture(self.kind, math.floor(self.x * x), math.floor(self.y * y), *sides, self.every)
+        return Fixture(self.kind, math.floor(self.x * x), math.floor(self.y * y), *sides, self.every, self.colour)
 
     def as_dict(self):
-        """The fields by name, for JSON."""
-        return asdict(self)
+        """The fields by name, for JSON; without the colour if it is amber."""
+        fields = asdict(self)
+        if self.colour == AMBER:
+            del fields["colour"]
+        return fields
 
 
 def act(world):
@@ -78,7 +94,7 @@ def act(world):
     where, poured, swallowed = world.layout, NONE, NONE
     for each in world.fixtures:
         if world.iteration % each.every == 0:
-            ink = world.mixed(INKS[each.kind])
+            ink = world.mixed(each.ink)
             change = figure(world.planes, where.height, where.width, where.words, RECTANGLE, *each.box, 0, ink)
             if change:
                 world.activity.wake(each.y - 1, each.y + each.height + 1)
@@ -107,18 +123,19 @@ def pause(fixtures, iteration):
 
 
 def read(table, kind):
-    """Return the fixture that a Table with KEYS tells of; raise SceneError where it tells of none."""
+    """Return the fixture that a Table with the KEYS of its kind tells of; raise SceneError where it tells of none."""
     sizes = (table.number(key, SIDE, SIDE.default) for key in ("width", "height"))
     x, y = table.number("x", FIRST_CELL), table.number("y", FIRST_CELL)
-    return Fixture(kind, x, y, *sizes, table.number("every", knob.EVERY, 1))
+    return Fixture(kind, x, y, *sizes, table.number("every", knob.EVERY, 1), table.choice("colour", DYES, AMBER))
 
 
 def read_all(table, key="fixtures"):
     """Return the tuple of fixtures that the array at `key` of a Table tells of, as `as_dict` writes them."""
     fixtures = []
     for each in table.tables(key):
-        each.allow(("kind", *KEYS))
-        fixtures.append(read(each, each.choice("kind", (TAP, DRAIN))))
+        kind = each.choice("kind", (TAP, DRAIN))
+        each.allow(("kind", *KEYS[kind]))
+        fixtures.append(read(each, kind))
     if len(fixtures) > MOST:
         raise table.error(key, f"{len(fixtures)} fixtures", f"at most {MOST}")
     return tuple(fixtures)

@@ -12,6 +12,7 @@ from game.world import fixture, knob
 from game.world.assets import asset
 from game.world.colours import WALL_LOOKS
 from game.world.drawing import EMPTY, painted_cells, parted, resampled, written_cells
+from game.world.dyes import AMBER
 from game.world.fixture import DRAIN, TAP
 from game.world.glass_shape import Glass
 from game.world.rule import FIELDS, SCHEDULES, Rule
@@ -59,6 +60,11 @@ class Scene:
     def shape(self):
         """The lattice's (height, width) in cells."""
         return self.sand.shape
+
+    @property
+    def coloured(self):
+        """Whether any of its sand has a colour, or will have one that a tap pours."""
+        return self.colours is not None or any(each.colour != AMBER for each in self.fixtures)
 
     def world(self, seed=0):
         """Return a new World with the scene's cells, at iteration 0."""
@@ -167,7 +173,7 @@ def _fixtures(table, own_size, shape):
     found = []
     for kind in (TAP, DRAIN):
         for each in table.tables(kind):
-            each.allow(fixture.KEYS)
+            each.allow(fixture.KEYS[kind])
             found.append(fixture.read(each, kind).scaled(shape[1] / own_size[0], shape[0] / own_size[1]))
     return tuple(found)
 

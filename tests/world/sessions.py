@@ -69,6 +69,7 @@ fixtures = st.builds(
     st.integers(1, 9),
     st.integers(1, 3),
     st.integers(1, 9),
+    st.sampled_from(("amber", "teal", "rainbow")),
 )
 fittings = st.builds(SetFixtures, st.lists(fixtures, max_size=4).map(tuple))
 turns = st.one_of(st.just(Flip()), st.builds(Turn, st.integers(1, 3)))

@@ -10,11 +10,13 @@ from hypothesis import strategies as st
 from game import Rule, World, advance, load_scene
 from game.world.action import Clear, Draw, Flip, Paint, SetFixtures, Turn, apply, perform
 from game.world.advance import NO_TRAFFIC
+from game.world.dyes import COLOURS
 from game.world.fixture import DRAIN, TAP, Fixture
 from game.world.picture_file import load_picture, save_picture
 from game.world.scene import SceneError
 from game.world.session import Session
 from game.world.snapshot import Snapshot
+from game.world.world import RAINBOW_PACE
 from tests.cells import random_world, rows_of, world_of
 from tests.world.sessions import fixtures
 
@@ -95,6 +97,33 @@ def test_a_quarter_turn_takes_the_left_side_to_the_top():
     assert rows_of(world.turned(1)) == ["#.o", "..#", "...", "..."]
 
 
+@pytest.mark.parametrize("colour", ["amber", "plum", "ivory"])
+def test_a_tap_pours_sand_of_its_colour_and_the_books_tell_of_it(colour):
+    session = Session(load_scene("blank", (40, 30)))
+    session.do(SetFixtures((Fixture(TAP, 3, 3, 2, 1, 2, colour), Fixture(DRAIN, 0, 29, 40))))
+    session.timeline.run(120)
+    world, account = session.world, session.account
+    number = COLOURS.index(colour)
+    assert world.coloured == (colour != "amber") and set(world.colours[world.sand].tolist()) == {number}
+    assert account.poured_by_colour[number] == account.poured > account.swallowed_by_colour[number] > 0
+    assert account.balanced(world)
+
+
+def test_a_rainbow_tap_pours_all_colours_in_turn():
+    world = world_of(["." * 9] * 60)
+    world.fixtures = (Fixture(TAP, 4, 0, colour="rainbow"), Fixture(DRAIN, 0, 59, 9))
+    poured = advance(world, RULE, 8 * RAINBOW_PACE).poured
+    assert min(poured) > 0 and max(poured) < 2 * min(poured)
+
+
+def test_amber_goes_without_saying_so_that_older_sessions_keep_their_names():
+    assert str(Fixture(TAP, 1, 2)) == "Fixture(kind='tap', x=1, y=2, width=1, height=1, every=1)"
+    assert (
+        "colour" not in Fixture(TAP, 1, 2).as_dict() and Fixture(TAP, 1, 2, colour="rose").as_dict()["colour"] == "rose"
+    )
+    assert furnished(1, Fixture(TAP, 1, 1)).digest() != furnished(1, Fixture(TAP, 1, 1, colour="rose")).digest()
+
+
 def test_the_eraser_takes_the_fixtures_it_comes_over():
     kept, gone = Fixture(TAP, 2, 2, 5), Fixture(DRAIN, 2, 12, 9)
     for act in (Paint("erase", (9.0, 9.0), (9.0, 14.0), 3), Draw("ellipse", "erase", (8.5, 9.5), (14.5, 14.5))):
@@ -124,7 +153,7 @@ def test_a_snapshot_keeps_the_fixtures():
 
 def test_a_picture_keeps_the_fixtures(tmp_path):
     session = Session(load_scene("blank", (40, 30)))
-    fittings = Fixture(TAP, 3, 3, 2, 1, 2), Fixture(DRAIN, 0, 29, 40)
+    fittings = Fixture(TAP, 3, 3, 2, 1, 2, "teal"), Fixture(DRAIN, 0, 29, 40)
     session.do(SetFixtures(fittings))
     session.do(Flip())
     save_picture(tmp_path / "taps.png", session)
@@ -133,13 +162,19 @@ def test_a_picture_keeps_the_fixtures(tmp_path):
 
 def test_a_scene_file_places_taps_and_drains_and_says_what_is_wrong(tmp_path):
     path = tmp_path / "well.toml"
-    text = (
-        "width = 40\nheight = 20\n[[tap]]\nx = 8\ny = 2\nwidth = 4\nevery = 6\n[[drain]]\nx = 0\ny = 19\nwidth = 40\n"
-    )
+    tap = '[[tap]]\nx = 8\ny = 2\nwidth = 4\nevery = 6\ncolour = "moss"\n'
+    text = f"width = 40\nheight = 20\n{tap}[[drain]]\nx = 0\ny = 19\nwidth = 40\n"
     path.write_text(text, encoding="utf-8")
-    assert load_scene(path).fixtures == (Fixture(TAP, 8, 2, 4, 1, 6), Fixture(DRAIN, 0, 19, 40))
-    assert load_scene(path, (80, 40)).fixtures == (Fixture(TAP, 16, 4, 8, 2, 6), Fixture(DRAIN, 0, 38, 80, 2))
-    for wrong, told in (("x = 1\ny = 1\nevery = 0", "tap 1.every"), ("hight = 3", "height"), ("x = 1.5", "tap 1.x")):
+    assert load_scene(path).fixtures == (Fixture(TAP, 8, 2, 4, 1, 6, "moss"), Fixture(DRAIN, 0, 19, 40))
+    assert load_scene(path, (80, 40)).fixtures == (Fixture(TAP, 16, 4, 8, 2, 6, "moss"), Fixture(DRAIN, 0, 38, 80, 2))
+    wrongs = (
+        ("x = 1\ny = 1\nevery = 0", "tap 1.every"),
+        ("hight = 3", "height"),
+        ("x = 1.5", "tap 1.x"),
+        ('x = 1\ny = 1\ncolour = "mauve"', "tap 1.colour"),
+        ("x = 1\ny = 1\n[[drain]]\ncolour = 'rose'", "drain 1"),
+    )
+    for wrong, told in wrongs:
         path.write_text(f"width = 40\nheight = 20\n[[tap]]\n{wrong}\n", encoding="utf-8")
         with pytest.raises(SceneError, match=told):
             load_scene(path)
