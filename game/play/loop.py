@@ -6,6 +6,7 @@ import pygame
 
 from game.play import hud, panel, splash
 from game.play.layout import Layout
+from game.play.memory import give_back_freed
 from game.play.toy import Toy
 from game.play.ui.theme import Theme
 from game.play.window import NoDisplayError, Window
@@ -23,6 +24,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
 
     timer_s: seconds that the timer is started with, if any.
     """
+    give_back_freed()
     pygame.font.init()
     theme = Theme(settings["ui_scale"])
     remembered = settings["window_width"], settings["window_height"]

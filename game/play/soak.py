@@ -18,6 +18,7 @@ from collections import deque
 import pygame
 
 from game.play.hand import Hand
+from game.play.memory import give_back_freed, resident_mb
 from game.play.toy import Toy
 from game.play.window import Window
 from game.world import prepare
@@ -43,6 +44,7 @@ class Soak:
     """The toy, the hand that uses it, and what is known about it so far."""
 
     def __init__(self, seed):
+        give_back_freed()
         settings = Settings()
         settings["memory"] = MEMORY_MB
         window, scene = Window(SIZE), load_scene(SCENES[0])
@@ -111,17 +113,6 @@ def _name(event):
     """Return what an event was, in a word or two."""
     kind = pygame.event.event_name(event.type)
     return f"{kind} {pygame.key.name(event.key)}" if event.type == pygame.KEYDOWN else kind
-
-
-def resident_mb():
-    """Return the memory that the process takes, in MB."""
-    try:
-        with open("/proc/self/statm", encoding="ascii") as file:
-            return int(file.read().split()[1]) * os.sysconf("SC_PAGESIZE") / 2**20
-    except OSError:  # no Linux
-        import resource
-
-        return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 2**20
 
 
 def main(arguments=None):
