@@ -76,4 +76,6 @@ def read(path):
         found = replay.load_replay(path)
     else:
         found = open_picture(path)
+        if isinstance(found, Photo):
+            found.picture(in_colours=True)  # which is slow for the first time, and what is shown first
     return found, path.stem

@@ -21,12 +21,11 @@ class Stage:
 
     def fit(self, shape, area, margin, theme, walls):
         """Show a lattice of `shape` in `area` of the window, with a margin in pixels, its walls made of `walls`."""
-        surface, self._theme = self.window.surface, theme
+        self._theme = theme
         self.area = pygame.Rect(area)
         self._inner = self.area.inflate(-2 * margin, -2 * margin)
         self.view = self.whole = View.fit(shape, *self._inner)
-        self._map_rgb = lambda *colour: surface.map_rgb(colour)
-        self._painter = picture.Painter(self.view, theme.colours, walls, self._map_rgb)
+        self._painter = picture.Painter(self.view, theme.colours, walls, self.window.map_rgb)
         self.refresh()
 
     def show(self, view):
@@ -96,7 +95,7 @@ class Stage:
         drawn = []
         self.window.paint(lambda pixels: drawn.extend(self._painter.draw(world, pixels, damage, streams)))
         if self.veil and drawn:
-            self.window.paint(lambda pixels: self.veil.draw(pixels, self.view, drawn, self._map_rgb))
+            self.window.paint(lambda pixels: self.veil.draw(pixels, self.view, drawn, self.window.map_rgb))
         if self.blocks:
             self._draw_blocks(drawn)
         return drawn

@@ -5,6 +5,7 @@ import os
 import statistics
 import sys
 import time
+from functools import cache
 
 import numpy as np
 import pygame
@@ -53,6 +54,11 @@ class Window:
     def size(self):
         """(width, height) in pixels."""
         return self.surface.get_size()
+
+    @property
+    def map_rgb(self):
+        """A function of red, green, blue that gives a pixel: the same one as long as pixels hold them alike."""
+        return _mapper(self.surface.get_shifts()[:3])
 
     def toggle_fullscreen(self):
         """Fill the screen, or go back to the window as it was."""
@@ -113,6 +119,11 @@ class Window:
         start = time.perf_counter()
         self.show()
         return (time.perf_counter() - start) * 1e3
+
+
+@cache
+def _mapper(shifts):
+    return lambda *colour: sum(part << shift for part, shift in zip(colour, shifts, strict=True))
 
 
 def _start_display():

@@ -64,6 +64,9 @@ class Colours(NamedTuple):
     panel: dict  # {role: RGB} of the controls and the words
     dyes: tuple  # the means of sand of the colours but the first, in the order of `dyes.COLOURS`
 
+    def __hash__(self):
+        return hash(self.name)
+
     def looks(self, walls="stone"):
         """Return {look: Range} of all looks in a scene whose walls are made of `walls`."""
         made_of, wood = self.walls[walls], self.walls["wood"]

@@ -1,5 +1,8 @@
 """The world's look: which colour each cell has, and worlds drawn into arrays of pixels. No window is needed."""
 
+from functools import lru_cache
+from typing import NamedTuple
+
 import numpy as np
 
 from game.core.decor import decor_of
@@ -23,6 +26,28 @@ def texture():
     return (z >> np.uint64(62)).astype(np.uint8)
 
 
+class Paints(NamedTuple):
+    """What cells are drawn with, whatever the view."""
+
+    pairs: np.ndarray  # of a world without colours, and of one with: what `pairs_of` gives
+    dyed_pairs: np.ndarray
+    lights: tuple | None  # what `light.lights` gives, where cells that share a pixel mix
+    channels: np.ndarray | None  # what `light.channels` gives, there
+    blends: np.ndarray  # what `light.blends` gives, there
+
+
+@lru_cache(maxsize=16)
+def paints_of(colours, walls, map_rgb, mixes):
+    """Return the Paints of a theme, as `Painter` takes them: they are kept, since a window is laid out often."""
+    codes = dyed_palette(colours, walls, map_rgb)
+    plain = np.array([dyed(look)[0] for look in range(LOOKS)])
+    pairs = pairs_of(codes[plain]), pairs_of(codes)
+    if not mixes:
+        return Paints(*pairs, None, None, NO_BLENDS)
+    values, channels = dyed_palette(colours, walls), light.channels(map_rgb)
+    return Paints(*pairs, light.lights(values), channels, light.blends(values, channels, colours.stream))
+
+
 class Painter:
     """Draws worlds into pixel arrays through one view, and of a world drawn before only the bands that changed."""
 
@@ -31,15 +56,8 @@ class Painter:
 
         mixes: cells that share a pixel mix their light; otherwise it shows one of them.
         """
-        codes = dyed_palette(colours, walls, map_rgb)
-        plain = np.array([dyed(look)[0] for look in range(LOOKS)])
-        self._pairs, self._dyed_pairs = pairs_of(codes[plain]), pairs_of(codes)
+        self._paints = paints_of(colours, walls, map_rgb, mixes)
         self._shades = shades_of(texture(), layout(*view.shape).words)
-        self._lights = light.lights(dyed_palette(colours, walls)) if mixes else None
-        self._channels = light.channels(map_rgb) if mixes else None
-        self._blends = (
-            light.blends(dyed_palette(colours, walls), self._channels, colours.stream) if mixes else NO_BLENDS
-        )
         self._samples, self._moving = NO_SAMPLES, ()  # as drawn last: see `world.streams`
         self._seen = 0  # the stamp of the world drawn last
         self._glass = walls == "glass" and view.shape[0] * view.shape[1] <= MOST_DECORATED
@@ -49,7 +67,7 @@ class Painter:
     def look_through(self, view):
         """Draw through another view of the same lattice, everything at first."""
         self.view, self._world = view, None
-        self._mixes = view.dense and self._lights is not None
+        self._mixes = view.dense and self._paints.lights is not None
         self._counts = self._mixes and view.cell < MIXED_BY_TWO
         words = layout(*view.shape).words
         if self._mixes:
@@ -68,7 +86,7 @@ class Painter:
             self._decorate(world)
         spans = [*self._changed(world), *(self._clipped(*span) for span in damage)]
         self._world, self._seen = world, world.activity.stamp
-        smooth = streams is not None and streams.follows(world) and self._channels is not None
+        smooth = streams is not None and streams.follows(world) and self._paints.channels is not None
         self._samples, self._moving = (streams.samples, streams.moving > 0) if smooth else (NO_SAMPLES, ())
         drawn = _merged(spans)
         for top, bottom in drawn:
@@ -121,14 +139,14 @@ class Painter:
         coloured = True if world.coloured else None
         what = world.planes, self._decor, coloured, where.stride, where.words, columns
         if self._counts:
-            plain, decor, dyes = self._lights
+            plain, decor, dyes = self._paints.lights
             lights = [plain, *([] if self._decor is None else [decor]), *([dyes] if coloured else [])]
-            draw_density(*what, rows, np.concatenate(lights), self._channels, pixels, top, left)
+            draw_density(*what, rows, np.concatenate(lights), self._paints.channels, pixels, top, left)
         else:
             ends = np.maximum(rows[1:] - 1, rows[:-1]) if self._mixes else None
             rows = rows[:-1] if self._mixes else rows
-            pairs = self._dyed_pairs if coloured else self._pairs
-            draw_cells(*what, rows, ends, self._shades, pairs, self._samples, self._blends, pixels, top, left)
+            pairs = self._paints.dyed_pairs if coloured else self._paints.pairs
+            draw_cells(*what, rows, ends, self._shades, pairs, self._samples, self._paints.blends, pixels, top, left)
 
 
 def _merged(spans):

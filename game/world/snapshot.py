@@ -66,7 +66,7 @@ class Shelf:
         if snapshot.moving.nbytes + snapshot.walls.nbytes > self.budget:
             return
         while self.bytes + self._cost(snapshot) > self.budget:
-            self._drop(self._least_missed(line, snapshot.work_ns))
+            self._drop(next(self._least_missed(line, snapshot.work_ns)))
         self.bytes += self._cost(snapshot)
         self._kept[snapshot] = None
         self._walls.setdefault(id(snapshot.walls), [snapshot.walls, 0])[1] += 1
@@ -76,7 +76,10 @@ class Shelf:
         """Change the budget, and drop what no longer fits."""
         self.budget = budget
         while self.bytes > budget:
-            self._drop(self._least_missed(line))
+            for snapshot in self._least_missed(line):  # many at a time, since to find one takes as long
+                self._drop(snapshot)
+                if self.bytes <= budget:
+                    break
 
     def _cost(self, snapshot):
         return snapshot.moving.nbytes + (0 if id(snapshot.walls) in self._walls else snapshot.walls.nbytes)
@@ -91,18 +94,26 @@ class Shelf:
         self.bytes -= self._cost(snapshot)
 
     def _least_missed(self, line, newest_ns=0):
-        """Return the snapshot to drop: one of another line, else the one that leaves the smallest gap for its age."""
+        """Yield snapshots to drop: those of other lines, else those that leave the smallest gaps for their age.
+
+        Of two neighbours only one is yielded, since the gap that the other leaves is then a larger one.
+        """
         own = _past(line)
         others = self._kept.keys() - own
         if others:
-            return next(each for each in self._kept if each in others)
+            yield from [each for each in self._kept if each in others]
+            return
         newest_ns = max(newest_ns, own[-1].work_ns)
         work = [0, *(each.work_ns for each in own), newest_ns]
 
         def gap(number):
             return (work[number + 2] - work[number]) / (newest_ns - work[number + 1] + newest_ns / len(work))
 
-        return own[min(range(len(own)), key=gap)]
+        yielded = set()
+        for number in sorted(range(len(own)), key=gap):
+            if not yielded & {number - 1, number + 1}:
+                yielded.add(number)
+                yield own[number]
 
 
 def _past(act):

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import Rule, advance, load_scene
+from game.world import snapshot as snapshots
 from game.world import timeline as timelines
 from game.world.action import Clear, Flip, Load, Paint, SetRule
 from game.world.history import Entry
@@ -251,6 +252,19 @@ def test_a_smaller_budget_takes_effect_at_once(spacing):
     assert shelf.bytes <= 40_000
     session.seek(30)
     assert session.world.digest() == plain_world(*session.timeline.start, [], 30)[0].digest()
+
+
+def test_shrinking_looks_through_the_past_a_few_times_however_much_there_is(monkeypatch):
+    for name, value in (("SPACING_NS", 0), ("SLICE_NS", 1), ("SHARE", 0), ("MEGABYTE", 10**6)):
+        monkeypatch.setattr(timelines, name, value)
+    session, looks, past = Session(SCENES[1]), [], snapshots._past
+    session.timeline.run(1000)
+    shelf = session.timeline.shelf
+    monkeypatch.setattr(snapshots, "_past", lambda act: looks.append(act) or past(act))
+    before = len(shelf)
+    shelf.fit(shelf.bytes // 30, session.timeline.history.line)
+    assert before > 500 and 0 < len(shelf) <= before // 15 and len(looks) < 20
+    assert np.diff([0, *sorted(each.now for each in shelf._kept), 1000]).max() < 500
 
 
 def test_distances_between_snapshots_grow_with_age(monkeypatch):
