@@ -54,7 +54,8 @@ class Soak:
         self.toy.recovery.start()
         self.hand = Hand(seed)
         self.frames = self.acts = 0
-        self.longest_s, self.slow = 0.0, []  # the longest frame, and the events in it
+        self.longest_s = self.worked_s = 0.0  # the longest frame, and what of it was work of this thread
+        self.slow = []  # the events in it
         self.recent = deque(maxlen=TOLD)
         self._opened = 0
 
@@ -71,7 +72,7 @@ class Soak:
                 used = resident_mb()
                 least_mb = least_mb or used
                 say(f"{told} min: {self.told(used)}")
-                self.longest_s, self.slow = 0.0, []
+                self.longest_s, self.worked_s, self.slow = 0.0, 0.0, []
                 if used - least_mb > BUDGET_MB:
                     raise SoakError(f"memory grew from {least_mb:.0f} to {used:.0f} MB, budget {BUDGET_MB} MB")
 
@@ -81,11 +82,13 @@ class Soak:
         slow = ", ".join(map(_name, self.slow)) or "no event"
         return (
             f"{self.frames:,} frames, {self.acts:,} events, {self.toy.session.scene.name}: {world.grains:,} grains, "
-            f"{used_mb:.0f} MB, {past:.0f} of them the past, longest frame {self.longest_s * 1e3:.0f} ms ({slow})"
+            f"{used_mb:.0f} MB, {past:.0f} of them the past, longest frame {self.longest_s * 1e3:.0f} ms, "
+            f"{self.worked_s * 1e3:.0f} at work ({slow})"
         )
 
     def _frame(self, now_s, elapsed_s, since_s):
         toy = self.toy
+        worked_s = time.thread_time()
         busy = BUSY if since_s // CALM_S % 2 == 0 else CALM
         events = self.hand.events(toy.window.size, busy)
         if toy.page and self.frames % LONGEST_PAGE == 0:
@@ -100,7 +103,7 @@ class Soak:
         self.frames += 1
         took_s = time.perf_counter() - now_s
         if took_s > self.longest_s:
-            self.longest_s, self.slow = took_s, events
+            self.longest_s, self.worked_s, self.slow = took_s, time.thread_time() - worked_s, events
         self._audit()
 
     def _audit(self):
