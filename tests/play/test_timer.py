@@ -233,8 +233,7 @@ def test_stopping_gives_the_speed_back(waiting):
 def test_the_panel_sets_and_starts_it(waiting):
     waiting.toy.panel.timer.open = True
     waiting.wait(1)
-    parts = waiting.toy.panel.ui.parts("Minutes")
-    waiting.click(parts[3].center)
+    waiting.click(waiting.parts("Minutes")[3].center)
     assert waiting.timer.wanted_s == 600
     waiting.click(waiting.control("Timer start"))
     waiting.plan()
