@@ -21,7 +21,7 @@ from game.play.help import Help
 from game.play.hints import Hints
 from game.play.hiss import Hiss
 from game.play.keeper import Keeper
-from game.play.layout import Layout
+from game.play.layout import MARGIN, Layout
 from game.play.mixer import Mixer
 from game.play.notice import Notices
 from game.play.panes import Panes
@@ -49,7 +49,6 @@ from game.world.session import Session
 from game.world.settings import Settings
 
 MOST_FORMER = 4  # sessions behind the one that is played
-MARGIN = 8  # pixels at scale 1 around the sand
 
 
 class Toy:
