@@ -81,6 +81,8 @@ def test_what_a_newcomer_reaches_for_is_in_sight_without_scrolling(glass, name):
     ui = seen(glass, (1280, 720), 1)
     assert ui.focus.scroll.offset == 0
     assert [each for each in ESSENTIALS if not ui._rect.contains(ui.rects[each])] == []
+    tops = [ui.rects[each].y for each in ESSENTIALS]
+    assert tops == sorted(tops)
 
 
 def test_every_control_says_what_it_does(glass, unfolded):
