@@ -93,15 +93,16 @@ class Figures:
             work = f"{reading.frame_ms:.1f} of {BUDGET_NS / 1e6:.0f} ms of work each"
             yield f"{reading.frames_per_second:.0f} frames a second, {work}"
             yield _told(reading, session)
+            yield _books(self._toy.hud)
         known = f" of {session.reached:,} that are known" if session.now < session.reached else ""
         yield f"Iteration {session.now:,}{known}"
-        yield self._books(session)
         yield f"The past takes {shelf.bytes / MEGABYTE:.1f} of {shelf.budget / MEGABYTE:,.0f} MB"
 
-    def _books(self, session):
-        books = " ".join(f"{sign} {grains:,} {word}".strip() for sign, word, grains in session.account.lines)
-        grains = session.world.grains
-        return f"Grains: {books}" + ("" if grains == session.account.expected else f", but there are {grains:,}")
+
+def _books(hud):
+    """Return the books of the grains that the line tells of."""
+    books = " ".join(f"{sign} {grains:,} {word}".strip() for sign, word, grains in hud.account.lines)
+    return f"Grains: {books}" + ("" if hud.grains == hud.account.expected else f", but there are {hud.grains:,}")
 
 
 def _told(reading, session):

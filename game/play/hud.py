@@ -19,12 +19,14 @@ class Hud:
         self.theme = theme
         self.gauge = Gauge()
         self._pace = self._grains = ""
+        self.account, self.grains = None, 0  # the books and the grains at the latest reading
         self._alarm = False  # something is to be noticed
 
     def count(self, frame, session, now_s):
         """Take in one Frame of `session` at time now_s."""
         if self.gauge.count(frame, now_s):
             now, books = session.world.grains_by_colour, session.account.expected_by_colour
+            self.account, self.grains = session.account, sum(now)
             self._pace, self._grains = _pace(self.gauge.reading, session), _grains(now, books)
             self._alarm = (self.gauge.reading.full and not session.paused) or now != books
 
