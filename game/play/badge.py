@@ -37,15 +37,17 @@ class Badge:
         return events
 
     def draw(self, surface, theme, area):
-        """Draw the zoom in a corner of `area`, and under it the lattice, unless all of it is in sight."""
+        """Draw the zoom in a corner of `area`, and under it the lattice, unless all of it is in sight.
+
+        Return the rects that they cover.
+        """
         px, view = theme.px, self._toy.stage.view
         text = words(view.cell)
         box = pygame.Rect(0, area.y + px(AWAY), theme.width(text, look.BODY) + 2 * px(PAD), px(HEIGHT))
         box.right = area.right - px(AWAY)
         paint.box(surface, theme, box, look.RAISED, px(6))
         paint.words(surface, theme, box.inflate(-2 * px(PAD), 0), text, look.BODY, look.TEXT, 0.5)
-        if view.frame:
-            _draw_map(surface, theme, view, box)
+        return [box, _draw_map(surface, theme, view, box)] if view.frame else [box]
 
 
 def words(cell):
@@ -61,7 +63,7 @@ def _figure(number):
 
 
 def _draw_map(surface, theme, view, below):
-    """Draw the lattice, and in it the part that is in sight, right under `below`."""
+    """Draw the lattice, and in it the part that is in sight, right under `below`; return the rect that it covers."""
     px, (height, width) = theme.px, view.shape
     scale = px(MAP) / max(height, width)
     page = pygame.Rect(0, below.bottom + px(4), max(px(4), round(width * scale)), max(px(4), round(height * scale)))
@@ -73,3 +75,4 @@ def _draw_map(surface, theme, view, below):
     paint.fill(surface, theme, page.inflate(2, 2), look.EDGE)
     paint.fill(surface, theme, page, look.SUNKEN)
     paint.fill(surface, theme, part.clip(page), look.ACCENT)
+    return page.inflate(2, 2)

@@ -31,14 +31,16 @@ class Card:
         return self.ui.begin(rect, events, now_s, mouse_pos)
 
     def draw(self, surface, theme):
-        """End the frame: draw the box and the controls."""
-        draw_box(surface, theme, self.rect)
+        """End the frame: draw the box and the controls; return the rects that they cover."""
+        covered = draw_box(surface, theme, self.rect)
         self.ui.invalidate()
         self.ui.end(surface)
+        return covered
 
 
 def draw_box(surface, theme, rect):
-    """Draw an empty card around `rect`."""
+    """Draw an empty card around `rect`; return the rects that it covers."""
     edge = rect.inflate(2 * theme.px(5), 2 * theme.px(5))
     paint.box(surface, theme, edge, look.EDGE, theme.px(RADIUS))
     paint.box(surface, theme, edge.inflate(-2, -2), look.GROUND, theme.px(RADIUS))
+    return [edge]

@@ -32,9 +32,10 @@ def card(theme, rect, title, value):
     px = theme.px
     room = rect.inflate(-2 * px(PAD), -2 * px(PAD // 2))
     head = pygame.Rect(room.x, room.y, room.width, px(HEAD))
+    left = pygame.Rect(head.x, head.y, max(0, head.width - theme.width(f"{value} ", look.SMALL)), head.height)
     strokes = [
         (paint.box, tuple(rect), look.GROUND, px(4)),
-        (paint.words, tuple(head), title, look.SMALL, look.DIM, 0),
+        (paint.words, tuple(left), title, look.SMALL, look.DIM, 0),
         (paint.words, tuple(head), value, look.SMALL, look.TEXT, 1),
     ]
     return strokes, pygame.Rect(room.x, head.bottom + px(2), room.width, room.bottom - head.bottom - px(4))

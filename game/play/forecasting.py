@@ -78,8 +78,8 @@ class Forecasting:
         return events
 
     def draw(self, surface, theme, area):
-        """Draw the legend."""
-        self._legend.draw(surface, theme, area)
+        """Draw the legend; return the rects that it covers."""
+        return self._legend.draw(surface, theme, area)
 
     def _matter(self):
         session, stage = self._toy.session, self._toy.stage

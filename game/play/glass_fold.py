@@ -45,7 +45,7 @@ class GlassFold:
 
     def _slid(self, ui, glass):
         """Return the glass as the sliders have it."""
-        size = ui.slider("Size", HEIGHT, glass.height, default=HEIGHT.default, log=True)
+        size = ui.slider("Size", HEIGHT, glass.height, default=HEIGHT.default, log=True, name="Glass size")
         if size != glass.height:
             glass = resized(glass, size)
         for each, label, log in SLIDERS:

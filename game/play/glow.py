@@ -52,14 +52,15 @@ class Glow:
         return events
 
     def draw(self, surface, theme, area):
-        """Draw the glow inside `area`."""
+        """Draw the glow inside `area`; return the rects that it covers."""
         if self._toy.settings["reduced_motion"]:
             pygame.draw.rect(surface, theme.rgb(look.ACCENT), area, theme.px(LINE))
-            return
+            return [rect.move(area.topleft) for rect in _edges(area.size, theme.px(LINE))]
         self._prepare(area, theme.px(WIDTH), theme.rgb(look.ACCENT))
         for place, strip in self._strips:
             strip.set_alpha(round(255 * self._strength()))
             surface.blit(strip, place)
+        return [place for place, _ in self._strips]
 
     def _strength(self):
         """Return how bright it is, 0 … 1: it rises, breathes once, and fades."""
@@ -75,9 +76,12 @@ class Glow:
         for inset in range(wide):
             alpha = round(230 * (1 - inset / wide) ** 2.2)
             pygame.draw.rect(sheet, (*colour, alpha), sheet.get_rect().inflate(-2 * inset, -2 * inset), 1)
-        width, height = area.size
-        edges = (0, 0, width, wide), (0, height - wide, width, wide)
-        edges += (0, wide, wide, height - 2 * wide), (width - wide, wide, wide, height - 2 * wide)
-        self._strips = [
-            (pygame.Rect(edge).move(area.topleft), sheet.subsurface(edge).copy()) for edge in edges if min(edge[2:]) > 0
-        ]
+        self._strips = [(edge.move(area.topleft), sheet.subsurface(edge).copy()) for edge in _edges(area.size, wide)]
+
+
+def _edges(size, wide):
+    """Return the rects of a frame `wide` pixels wide inside a rectangle of `size`."""
+    width, height = size
+    edges = (0, 0, width, wide), (0, height - wide, width, wide)
+    edges += (0, wide, wide, height - 2 * wide), (width - wide, wide, wide, height - 2 * wide)
+    return [pygame.Rect(edge) for edge in edges if min(edge[2:]) > 0]

@@ -3,6 +3,7 @@
 import pygame
 
 from game.play import keys
+from game.play.timebar import LEFT
 
 
 class Hearing:
@@ -55,6 +56,12 @@ class Hearing:
         going_on = toy.brush.painting
         if not going_on and toy.time_bar.hear(event):
             toy.brush.let_go()
+        elif not going_on and _is_press(event) and toy.layout.hud.collidepoint(event.pos):
+            toy.figures.toggle()
         elif going_on or on_sand:
             for act, join in toy.brush.hear(event, toy.stage.view, toy.session.world):
                 toy.do(act, join)
+
+
+def _is_press(event):
+    return event.type == pygame.MOUSEBUTTONDOWN and event.button == LEFT

@@ -1,49 +1,34 @@
-"""The HUD: one line under the sand that says how fast it runs, and whether every grain is there."""
-
-from collections import deque
+"""The HUD: one calm line under the sand that says how fast it runs and how many grains there are."""
 
 import pygame
 
+from game.play.gauge import Gauge
 from game.play.ui import paint
 from game.play.ui import theme as look
-from game.world.session import BUDGET_NS
-from game.world.snapshot import MEGABYTE
 
 HEIGHT = 30  # pixels at scale 1
-REFRESH_S = 0.25  # the figures are means over this time, so that they can be read
 GAP = "    "
 KEY = "F1  all keys"
+NEAR = 0.05  # a speed that differs less from the one that is set is shown as that: the line keeps still
 
 
 class Hud:
-    """Gathers what frames took and shows it."""
+    """Gathers what frames took and says what matters of it; Figures tells the rest."""
 
     def __init__(self, theme):
         self.theme = theme
-        self._frames = deque()  # of the current stretch: (work in ns, iterations due, iterations done)
-        self._since_s = None
-        self._pace, self._books, self._late = [], [], False
+        self.gauge = Gauge()
+        self._pace = self._grains = ""
+        self.account, self.grains = None, 0  # the books and the grains at the latest reading
+        self._alarm = False  # something is to be noticed
 
-    def count(self, work_ns, session, now_s):
-        """Take in one frame of `session`: the time it worked, at time now_s."""
-        self._frames.append((work_ns, session.due, session.done))
-        self._since_s = now_s if self._since_s is None else self._since_s
-        stretch = now_s - self._since_s
-        if stretch >= REFRESH_S:
-            self._refresh(stretch)
-            self._books = _books(session)
-            self._frames.clear()
-            self._since_s = now_s
-
-    def _refresh(self, stretch):
-        work, due, done = (sum(column) for column in zip(*self._frames, strict=True))
-        frame_ms = work / len(self._frames) / 1e6
-        self._late = done < due
-        pace = f"{done / stretch:,.0f} iterations/s"
-        if self._late:
-            pace = f"{done / stretch:,.0f} of {due / stretch:,.0f} iterations/s: the frame is full"
-        fps = f"{len(self._frames) / stretch:.0f} fps"
-        self._pace = [fps, f"{frame_ms:.1f} of {BUDGET_NS / 1e6:.0f} ms", pace]
+    def count(self, frame, session, now_s):
+        """Take in one Frame of `session` at time now_s."""
+        if self.gauge.count(frame, now_s):
+            now, books = session.world.grains_by_colour, session.account.expected_by_colour
+            self.account, self.grains = session.account, sum(now)
+            self._pace, self._grains = _pace(self.gauge.reading, session), _grains(now, books)
+            self._alarm = (self.gauge.reading.full and not session.paused) or now != books
 
     def drawing(self, rect, session, said="", aside=""):
         """Return the strokes of the line in `rect`: a value that changes only when the line does.
@@ -54,9 +39,9 @@ class Hud:
         words = pygame.Rect(rect).inflate(-2 * px(12), 0)
         first = [said or aside] if said or aside else []
         if session.now < session.reached:
-            first.append(f"{session.now:,} of {session.reached:,}")
-        text = self._fitting(first + (["Paused"] if session.paused else self._pace), words.width)
-        colour = look.ACCENT if said or (self._late and not session.paused) else look.DIM
+            first.append(f"Iteration {session.now:,} of {session.reached:,}")
+        text = self._fitting(first, "Paused" if session.paused else self._pace, words.width)
+        colour = look.ACCENT if said or self._alarm else look.DIM
         line = [
             (paint.fill, tuple(rect), look.SUNKEN),
             (paint.words, tuple(words), text, look.SMALL, colour, 0),
@@ -65,20 +50,34 @@ class Hud:
             line.append((paint.words, tuple(words), KEY, look.SMALL, look.FAINT, 1))
         return line
 
-    def _fitting(self, first, room):
-        """Return as much of the line as there is room for: the books shortest before they are left out."""
-        tries = [[*first, *books] for books in self._books] or [first]
-        if first:
-            tries += [[*first[:-1], self._books[-1][0]] if self._books else first, first, first[:1]]
-        lines = [GAP.join(each) for each in tries]
+    def _fitting(self, first, pace, room):
+        """Return as much of the line as there is room for."""
+        if self.gauge.reading is None:
+            return GAP.join(first)
+        lines = [GAP.join(each) for each in ([*first, pace, self._grains], [*first, pace], first) if each]
         return next((line for line in lines if self.theme.width(line, look.SMALL) <= room), lines[-1])
 
 
-def _books(session):
-    """Return what there is to say of grains and memory, from the most to the least of it."""
-    account, shelf, now = session.account, session.timeline.shelf, session.world.grains_by_colour  # counted once
-    grains, sign = sum(now), "=" if now == account.expected_by_colour else "is not"
-    came, went = account.painted + account.poured, account.erased + account.swallowed
-    audit = f"{account.start:,} + {came:,} - {went:,} {sign} {grains:,} grains"
-    memory = f"past {shelf.bytes / MEGABYTE:.1f} of {shelf.budget / MEGABYTE:,.0f} MB"
-    return [audit, memory], [audit], [f"{grains:,} grains"]
+def _pace(reading, session):
+    """Return how fast the sand runs, in words."""
+    if session.world.activity.settled:
+        return "The sand is at rest"
+    if reading.full:
+        return f"{reading.done:,.0f} of {reading.due:,.0f} iterations a second, all that this computer can do"
+    speed = session.clock.speed
+    near = abs(reading.done - speed) <= max(NEAR * speed, 1 / reading.seconds)
+    return counted(speed if near else reading.done, "iteration") + " a second"
+
+
+def _grains(now, books):
+    """Return how many grains there are, and what is wrong where the books, by colour like them, tell of others."""
+    said = counted(sum(now), "grain")
+    if now == books:
+        return said
+    return f"{said}, but {sum(books):,} on the books" if sum(now) != sum(books) else f"{said}, of wrong colours"
+
+
+def counted(number, what):
+    """Return '1 grain', '2,000 grains', '1.5 iterations'."""
+    digits = f"{number:,.0f}" if number >= 10 or number == round(number) else f"{number:.2g}"
+    return f"{digits} {what}{'' if digits == '1' else 's'}"

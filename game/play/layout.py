@@ -4,6 +4,7 @@ import pygame
 
 from game.play import hud, panel, timebar
 
+MARGIN = 8  # pixels at scale 1 around the sand
 PLOTS = 210, 132  # pixels at scale 1: width of a column of plots, height of a strip
 PLOTS_COLUMN, PLOTS_STRIP = 460, 760  # the least height of the one and width of the other
 LEAST_SAND = 240  # what the plots leave to the sand, or they are not shown

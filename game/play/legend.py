@@ -39,14 +39,14 @@ class Legend:
         return self._lines
 
     def draw(self, surface, theme, area):
-        """Draw the card, where there is room for it."""
+        """Draw the card, where there is room for it; return the rects that it covers."""
         px, line = theme.px, theme.line_height(look.SMALL)
         rect = pygame.Rect(area.x + px(AWAY), self._toy.stage.area.y + px(AWAY), px(WIDTH), 0)
         title, *lines = self._lines if 2 * rect.width <= area.width else self._lines[:2]
         rect.height = 2 * px(PAD) + px(24) + px(BAR) + line + px(4) + line * len(lines)
         if rect.right + px(AWAY) > area.right or 2 * rect.height > area.height:
-            return
-        draw_box(surface, theme, rect.inflate(-2 * px(5), -2 * px(5)))
+            return []
+        covered = draw_box(surface, theme, rect.inflate(-2 * px(5), -2 * px(5)))
         stale, row = self._forecasting.stale, rect.inflate(-2 * px(PAD), -2 * px(PAD))
         row.height = px(20)
         paint.words(surface, theme, row, title, look.HEADING, look.HANDLE, 0)
@@ -61,6 +61,7 @@ class Legend:
         for text in lines:
             paint.words(surface, theme, row, text, look.SMALL, look.DIM, 0)
             row.y += line
+        return covered
 
     def _title(self):
         answer, session = self._forecasting.answer, self._toy.session

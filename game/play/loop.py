@@ -4,19 +4,19 @@ import time
 
 import pygame
 
-from game.play import hud, panel, splash
+from game.play import splash
 from game.play.layout import Layout
 from game.play.memory import give_back_freed
+from game.play.opening import first_size, window_size
 from game.play.toy import Toy
 from game.play.ui.theme import Theme
-from game.play.window import NoDisplayError, Window
+from game.play.window import NoDisplayError, Window, desktop_size
 from game.world.companion import Worker, steps_to_play
 from game.world.view import View
 
 __all__ = ["NoDisplayError", "play"]
 
 FRAMES_PER_SECOND = 60
-MARGIN = 16  # pixels around the sand in a new window
 
 
 def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording=None, timer_s=None):
@@ -27,9 +27,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     give_back_freed()
     pygame.font.init()
     theme = Theme(settings["ui_scale"])
-    remembered = settings["window_width"], settings["window_height"]
-    size = remembered if all(remembered) and not cell else window_size(scene, cell or scene.cell, theme)
-    window = Window(size, fullscreen)
+    window = Window(_size(scene, settings, cell, theme), fullscreen)
     cell = View.fit(scene.shape, *Layout(theme, window.size, panel_shown=True).sand).cell
     first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures)
     worker = Worker(first)
@@ -53,6 +51,14 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     return 0
 
 
+def _size(scene, settings, cell, theme):
+    """Return the size that the window has to begin with: for `cell` pixels to a cell, as remembered, or as suits."""
+    remembered = settings["window_width"], settings["window_height"]
+    if cell:
+        return window_size(scene, cell, theme)
+    return remembered if all(remembered) else first_size(scene, theme, desktop_size())
+
+
 def _start_timer(toy, timer_s):
     toy.timer.set(timer_s)
     toy.timer.start()
@@ -69,12 +75,6 @@ def run(toy):
         toy.frame(pygame.event.get(), now - before, now / 1e9, pointer)
         before = now
         pace.tick(FRAMES_PER_SECOND)
-
-
-def window_size(scene, cell, theme):
-    """Return the (width, height) in pixels of a window that shows `scene` with `cell` pixels to a cell."""
-    height, width = (side * cell + MARGIN for side in scene.shape)
-    return width + theme.px(panel.WIDTH), max(height + theme.px(hud.HEIGHT), theme.px(560))
 
 
 def _make_ready(window, theme, worker):

@@ -16,7 +16,9 @@ MOST_WAITING = 3
 class Notices:
     """Lines waiting to be shown, one at a time; what is said twice stays longer."""
 
-    def __init__(self):
+    def __init__(self, taken=lambda: 0):
+        """`taken`: returns how many pixels at the lower edge of the sand are taken by something else."""
+        self._taken = taken
         self._lines = []  # (text, whether it tells of trouble), the one shown first
         self._since_s = None
         self._now_s = 0.0
@@ -57,7 +59,7 @@ class Notices:
         return events
 
     def draw(self, surface, theme, area):
-        """Draw the line above the lower edge of `area`."""
+        """Draw the line above the lower edge of `area`; return the rects that it covers."""
         text, trouble = self._lines[0]
         px = theme.px
         wide = min(theme.width(text, look.BODY) + 2 * px(PAD), area.width - 2 * px(8))
@@ -71,7 +73,7 @@ class Notices:
             colour = look.BRIGHT_ACCENT if trouble else look.TEXT
             paint.words(sheet, theme, (px(PAD), number * row, wide - 2 * px(PAD), row), line, look.BODY, colour, 0.5)
         sheet.set_alpha(round(255 * min(1.0, max(0.0, 1 - (self._age() - self._stay()) / FADE_S))))
-        surface.blit(sheet, (area.centerx - wide // 2, area.bottom - height - px(10)))
+        return [surface.blit(sheet, (area.centerx - wide // 2, area.bottom - self._taken() - height - px(10)))]
 
     def _age(self):
         return 0.0 if self._since_s is None else self._now_s - self._since_s

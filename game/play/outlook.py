@@ -7,7 +7,7 @@ from game.world.comparison import Comparison
 
 
 def show(ui, toy):
-    """Show the switches of the forecast and the plots, and obey them."""
+    """Show the switches of the forecast, the plots and the figures, and obey them."""
     forecasting, plots = toy.forecasting, toy.plots
     ui.heading("Outlook")
     tip = "How likely sand is in each cell some iterations from now, from many runs of the world as it is  (H)"
@@ -37,3 +37,6 @@ def show(ui, toy):
             "Save as CSV", key="Shift+L", tip="Saves what was measured since the plots were opened, with a header"
         ):
             plots.save()
+    tip = "Frames, iterations, the books of the grains and memory; so does pointing at the line under the sand"
+    if ui.toggle("Figures", toy.figures.kept, tip=tip) != toy.figures.kept:
+        toy.figures.toggle()

@@ -25,7 +25,7 @@ class Panes:
         self._left = {}  # the grains above the neck in each world
         self._held = None  # the shift of the pane in which a button is held
         self._area = pygame.Rect(0, 0, 1, 1)  # of all panes
-        self._overlay = None  # as last drawn
+        self._overlay, self._covered = None, []  # as last drawn, and the rects that it covers
 
     # --- as a stage ---
 
@@ -71,7 +71,7 @@ class Panes:
 
     def refresh(self):
         """Draw everything next time."""
-        self._drawn, self._overlay = {}, None
+        self._drawn, self._overlay, self._covered = {}, None, []
         for stage in self._stages.values():
             stage.refresh()
 
@@ -89,17 +89,30 @@ class Panes:
         """Bring all panes up to date and return the rects of the window that changed; see `Stage.draw`."""
         if self._overlay and not overlay:
             self.refresh()
+        panes = [
+            (self._stages[schedule], session.world, self._marks_in(schedule, marks))
+            for schedule, session in self._comparison.sessions.items()
+        ]
+        self._count(now_s)
+        under = []  # what soft edges lie over comes first, in all panes
+        if overlay is not self._overlay or self._new_titles() or any(_differs(*pane) for pane in panes):
+            under = self._covered
+            self._drawn = {each: t for each, t in self._drawn.items() if self._titles[each].collidelist(under) < 0}
         rects = []
-        for schedule, session in self._comparison.sessions.items():
-            x, y = self._shifts[schedule]
-            here = tuple(each._replace(points=tuple((a + x, b + y) for a, b in each.points)) for each in marks)
-            rects += self._stages[schedule].draw(session.world, here, None, now_s)
-        rects += self._draw_titles(now_s)
+        for stage, world, here in panes:
+            rects += stage.draw(
+                world, here, None, now_s, under=[rect for rect in under if rect.colliderect(stage.area)]
+            )
+        rects += self._draw_titles()
         before, self._overlay = self._overlay, overlay
-        if not overlay or (overlay is before and not rects):
-            return rects
-        overlay(self._window.surface)
-        return [self._area]
+        if overlay and (rects or overlay is not before):
+            self._covered = overlay(self._window.surface)
+            rects += [*under, *self._covered]
+        return rects
+
+    def _marks_in(self, schedule, marks):
+        x, y = self._shifts[schedule]
+        return tuple(each._replace(points=tuple((a + x, b + y) for a, b in each.points)) for each in marks)
 
     def own(self, event):
         """Return an event of the pointer over any pane as one over the leading pane."""
@@ -129,12 +142,18 @@ class Panes:
         """Return what is written above each world."""
         return {each: (each.capitalize(), f"{self._left.get(each, 0):,} left above") for each in self._stages}
 
-    def _draw_titles(self, now_s):
+    def _count(self, now_s):
+        """Count the grains that are left above, if it is time to."""
         if self._counted_s is None or now_s - self._counted_s >= REFRESH_S:
             self._counted_s, row = now_s, self._toy.plots.measured_row
             sessions = self._comparison.sessions.items()
             self._left = {schedule: grains_above(session.world, row) for schedule, session in sessions}
-        new = {each: title for each, title in self.titles().items() if title != self._drawn.get(each)}
+
+    def _new_titles(self):
+        return {each: title for each, title in self.titles().items() if title != self._drawn.get(each)}
+
+    def _draw_titles(self):
+        new = self._new_titles()
         for schedule, (name, left) in new.items():
             rect, theme, surface = self._titles[schedule], self._toy.theme, self._window.surface
             paint.fill(surface, theme, rect, look.SUNKEN)
@@ -144,6 +163,10 @@ class Panes:
             paint.words(surface, theme, words, left, look.SMALL, look.DIM, 1)
         self._drawn |= new
         return [self._titles[each] for each in new]
+
+
+def _differs(stage, world, marks):
+    return stage.turn is not None or stage.differs(world, marks)
 
 
 def _split(area, number, across, high):

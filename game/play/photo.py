@@ -58,11 +58,12 @@ class PhotoCard:
         return [event for event in rest if not (event.type == pygame.KEYDOWN and event.key in MARKS)]
 
     def draw(self, surface, theme, area):
-        """Draw the card with the photo as it would be."""
-        self._card.draw(surface, theme)
+        """Draw the card with the photo as it would be; return the rects that it covers."""
+        covered = self._card.draw(surface, theme)
         room = self._room.move(self._card.rect.topleft)
         sprite = _sprite(self._found.scene, room.size, theme.colours)
         surface.blit(sprite, sprite.get_rect(center=room.center))
+        return covered
 
     def _close(self, taken):
         self._card = None

@@ -2,10 +2,12 @@
 
 import math
 import time
+from itertools import pairwise
 
 import pygame
 
 from game.play import charts
+from game.play.books import card, heights, widths
 from game.play.layout import Layout
 from game.play.ui import paint
 from game.play.ui import theme as look
@@ -18,6 +20,9 @@ SAMPLE_S = 0.25
 SHARE = 50  # sampling may take one part in so many of the time: it comes less often where the lattice is huge
 LONGEST_S = 5.0  # … but not for longer than this
 GAP = 6  # pixels at scale 1 between cards
+CARDS = 5
+LEAST_CARD = 144  # pixels at scale 1: width of a card whose title and value have room
+MOST_BOOKS = 0.44  # of the cards' length, that the books of coloured sand may take
 
 
 class Plots:
@@ -116,21 +121,36 @@ class Plots:
         cards = (self._flow, self._filling, self._pile, self._frames, self._audit)
         strokes = [(paint.fill, tuple(area), look.SUNKEN)]
         tall = area.height > area.width
-        for number, each in enumerate(cards):
+        edges = self._edges(area.height if tall else area.width, tall)
+        for each, (start, end) in zip(cards, pairwise(edges), strict=True):
             if tall:
-                top, bottom = (area.height * edge // len(cards) for edge in (number, number + 1))
-                rect = pygame.Rect(area.x, area.y + top, area.width, bottom - top)
+                rect = pygame.Rect(area.x, area.y + start, area.width, end - start)
             else:
-                left, right = (area.width * edge // len(cards) for edge in (number, number + 1))
-                rect = pygame.Rect(area.x + left, area.y, right - left, area.height)
+                rect = pygame.Rect(area.x + start, area.y, end - start, area.height)
             strokes += each(rect.inflate(-px(GAP), -px(GAP)))
         return strokes
+
+    def _edges(self, length, tall):
+        """Return where the cards begin and end along the area; the books of coloured sand may take more than others."""
+        account, books = self._toy.session.account, length // CARDS
+        if account.coloured:
+            theme, gap = self._toy.theme, self._toy.theme.px(GAP)
+            most = round(MOST_BOOKS * length)
+            if not tall:
+                most = min(most, length - (CARDS - 1) * theme.px(LEAST_CARD))
+            wanted = heights(theme, account) if tall else widths(theme, account, self._toy.layout.plots.height - gap)
+            books = max(books, next((side + gap for side in wanted if side + gap <= most), most))
+        rest = length - books
+        return [*(rest * number // (CARDS - 1) for number in range(CARDS)), length]
 
     def _flow(self, rect):
         flows = self._watch.flows()
         known = [each for each in flows if not math.isnan(each)]
         now = "" if not flows or math.isnan(flows[-1]) else f"{flows[-1]:.3g} grains/it."
-        strokes, room = charts.card(self._toy.theme, rect, f"Flow at row {self._watch.row:,}", now)
+        theme, title = self._toy.theme, f"Flow at row {self._watch.row:,}"
+        if theme.width(f"{title} {now}", look.SMALL) > rect.width - 2 * theme.px(charts.PAD):
+            title = "Flow"
+        strokes, room = charts.card(theme, rect, title, now)
         room, foot = self._with_foot(room)
         low, high = min(known, default=0.0), max(known, default=0.0)
         lines = charts.curves(room, self._nows(), [(flows, look.ACCENT)], min(low, 0.0), max(high, 0.1))
@@ -165,17 +185,7 @@ class Plots:
 
     def _audit(self, rect):
         session = self._toy.session
-        account, balanced = session.account, session.account.balanced(session.world)
-        strokes, room = charts.card(self._toy.theme, rect, "Audit", "every grain is there" if balanced else "")
-        if not balanced:
-            strokes.append((paint.words, tuple(room), f"but {session.world.grains:,}", look.SMALL, look.ACCENT, 1))
-        line = min(self._toy.theme.line_height(look.SMALL), room.height // len(account.lines))
-        for number, (sign, word, grains) in enumerate(account.lines):
-            row = (room.x, room.y + number * line, room.width, line)
-            colour = look.TEXT if sign == "=" else look.DIM
-            strokes.append((paint.words, row, f"{sign} {word}".strip(), look.SMALL, colour, 0))
-            strokes.append((paint.words, row, f"{grains:,}", look.SMALL, colour, 1))
-        return strokes
+        return card(self._toy.theme, rect, session.account, session.world.grains_by_colour)
 
     def _nows(self):
         return [each.now for each in self._watch.samples]

@@ -63,8 +63,8 @@ class Question:
         return others
 
     def draw(self, surface, theme, area):
-        """Draw the question."""
-        self._card.draw(surface, theme)
+        """Draw the question; return the rects that it covers."""
+        return self._card.draw(surface, theme)
 
     def _by_key(self, event):
         if event.type != pygame.KEYDOWN or event.mod & NO_MODS:

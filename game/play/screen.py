@@ -62,10 +62,9 @@ class Screen:
         return self._lay_over if any(each.shown for each in toy.overlays) else None
 
     def _draw_over(self, surface):
+        """Draw all overlays and return the rects that they cover."""
         toy, area = self._toy, self._toy.layout.sand
-        for each in toy.overlays:
-            if each.shown:
-                each.draw(surface, toy.theme, area)
+        return [rect for each in toy.overlays if each.shown for rect in each.draw(surface, toy.theme, area)]
 
     def _marks(self):
         """Return the marks of the fixtures, of a table that leans, and of the tool over the sand."""

@@ -17,6 +17,7 @@ class Stage:
         self.veil = self.blocks = None  # what lies over the sand, part of the picture of it
         self.whole = None  # the view of the whole lattice
         self._marks, self._overlay = (), None  # as last drawn
+        self._covered = ()  # the rects that the overlay covers
         self._bare = True  # nothing of the stage has been drawn yet
 
     def fit(self, shape, area, margin, theme, walls):
@@ -46,7 +47,7 @@ class Stage:
         """Draw everything next time."""
         self.window.surface.fill(self._theme.colours.ground, self.area)
         self._painter.forget()
-        self._marks, self._bare = (), True
+        self._marks, self._covered, self._bare = (), (), True
 
     def start_turn(self, now_s, quarters):
         """Let the picture on the stage go round by so many quarters, from now on."""
@@ -61,11 +62,16 @@ class Stage:
         self.turn = None
         self.refresh()
 
-    def draw(self, world, marks, overlay, now_s, streams=None):
+    def differs(self, world, marks):
+        """Return whether sand or marks look different from what was drawn last."""
+        return self._bare or marks != self._marks or self._painter.differs(world)
+
+    def draw(self, world, marks, overlay, now_s, streams=None, under=()):
         """Bring the stage up to date and return the rects of the window that changed.
 
-        marks: a tuple of `Mark`. overlay: a function that draws over the sand on a surface, or None. streams: the
-        Streams to draw falling sand by, or None.
+        marks: a tuple of `Mark`. overlay: a function that draws over the sand on a surface and returns the rects that
+        it covers, or None. streams: the Streams to draw falling sand by, or None. under: rects to be drawn anew in any
+        case.
         """
         if self.turn:
             frame, ground = tuple(self.area), self.window.surface.map_rgb(self._theme.colours.ground)
@@ -74,18 +80,20 @@ class Stage:
             return [self.area]
         if self._overlay and not overlay:
             self.refresh()
-        old = [each.rect.clip(self.area) for each in self._marks if each not in marks]
-        spans = self._draw_sand(world, old, streams)
-        if not spans and marks == self._marks and overlay is self._overlay:
+        if overlay is self._overlay and not under and not self.differs(world, marks):
             return []
+        # soft edges laid over themselves would harden from frame to frame: what lay under the overlay comes first
+        old = [each.rect for each in self._marks if each not in marks] + [*self._covered, *under]
+        old = [rect.clip(self.area) for rect in old]
+        spans = self._draw_sand(world, old, streams)
         new = [each.rect.clip(self.area) for each in marks if each not in self._marks]
         self._draw_marks(marks)
         self._lay_over(overlay)
         bare, self._bare = self._bare, False
-        if overlay or bare:
+        if bare:
             return [self.area]
         rects = [pygame.Rect(self.area.left, top, self.area.width, bottom - top) for top, bottom in spans]
-        return rects + old + new
+        return rects + old + new + list(self._covered)
 
     def _draw_sand(self, world, damaged, streams):
         """Draw the sand that has changed, and what lies in the damaged rects; return the spans of rows drawn."""
@@ -107,8 +115,8 @@ class Stage:
         self.window.surface.set_clip(None)
 
     def _lay_over(self, overlay):
-        if overlay:
-            overlay(self.window.surface)
+        covered = overlay(self.window.surface) if overlay else ()
+        self._covered = [rect.clip(self.area) for rect in covered]
         self._overlay = overlay
 
     def _draw_marks(self, marks):

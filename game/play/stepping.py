@@ -2,6 +2,7 @@
 
 import time
 
+from game.play.gauge import own_ns
 from game.world.session import BUDGET_NS
 from game.world.streams import Streams
 
@@ -15,6 +16,7 @@ class Stepping:
     def __init__(self, toy):
         self._toy = toy
         self.frame_ns = 0  # what the whole of the last frame took
+        self.moving_ns = 0  # the work of this thread that moved sand in this frame
         self._own_ns = self._other_ns = 0  # what stepping took in this frame, and anything else in the last one
         self._streams = Streams()
         self._way_since_s = None  # since when another moment is being computed
@@ -26,9 +28,9 @@ class Stepping:
 
     def step(self, elapsed_ns, now_s):
         """Run what is due; while the glass turns, time stands still."""
-        start = time.perf_counter_ns()
+        start, worked = time.perf_counter_ns(), own_ns()
         self._run(elapsed_ns, now_s)
-        self._own_ns = time.perf_counter_ns() - start
+        self._own_ns, self.moving_ns = time.perf_counter_ns() - start, own_ns() - worked
 
     def note(self, work_ns):
         """Take in what the whole frame took."""

@@ -1,12 +1,23 @@
 """The timer's part of the panel: which time, how much of it is left, and how exact its end was."""
 
+import math
+from dataclasses import replace
+
 from game.play.timer import OFF, RUNNING
-from game.world.duration import spell, spell_left
-from game.world.knob import TIMER, Knob
+from game.world.duration import spell, spell_left, spell_short
+from game.world.knob import TIMER
 from game.world.maker import glass_for, scene_of
 
 PRESETS = 1, 3, 5, 10, 25  # minutes
-MINUTES = Knob("minutes", TIMER.default / 60, 0.25, 120, "minutes", TIMER.meaning)
+LONGEST_S = 7200  # of the slider; --timer takes more
+SECONDS = replace(TIMER, high=LONGEST_S, whole=True)
+STEPS_S = (
+    (20, 1),
+    (60, 5),
+    (300, 15),
+    (1800, 30),
+    (math.inf, 60),
+)  # up to so many seconds, the slider goes in such steps
 
 
 class TimerFold:
@@ -21,14 +32,17 @@ class TimerFold:
         self.open = ui.fold("Timer", self.open, tip="An hourglass that runs out on time")
         if not self.open:
             return
-        minutes = round(timer.wanted_s / 60, 2)  # as it is shown; seconds that were given as such stay exact
-        now = PRESETS.index(minutes) if minutes in PRESETS else -1
+        before = timer.wanted_s
+        now = PRESETS.index(before / 60) if before / 60 in PRESETS else -1
         tip = "Minutes until the last grain falls, by the wall clock"
         chosen = ui.segmented("Minutes", tuple(map(str, PRESETS)), now, tip=tip)
-        wanted = float(PRESETS[chosen]) if chosen != now else minutes
-        wanted = ui.slider("Any time", MINUTES, wanted, log=True, tip=tip)
-        if wanted != minutes:
-            timer.set(60 * wanted)
+        wanted_s = 60 * PRESETS[chosen] if chosen != now else before
+        tip = "Time until the last grain falls, by the wall clock: from a second to two hours"
+        turned_s = ui.slider("Any time", SECONDS, wanted_s, log=True, tip=tip, spell=spell_short)
+        if turned_s != wanted_s:
+            wanted_s = _even(wanted_s, turned_s, by_hand=ui.focus.held is not None)
+        if wanted_s != before:
+            timer.set(wanted_s)
         ui.row(2)
         label = "Stop" if timer.state == RUNNING else "Start"
         if ui.button(label, key="T", name="Timer start", tip="Starts the timer, or stops it"):
@@ -40,6 +54,13 @@ class TimerFold:
         words = _told(timer)
         if words:
             ui.text(words)
+
+
+def _even(before_s, turned_s, by_hand):
+    """Return the time that a person would say: in even steps, the next one on the way where a key asked for it."""
+    step_s = next(step_s for most_s, step_s in STEPS_S if max(before_s, turned_s) <= most_s)
+    rounded = round if by_hand else math.ceil if turned_s > before_s else math.floor
+    return min(max(rounded(turned_s / step_s) * step_s, SECONDS.low), SECONDS.high)
 
 
 def _told(timer):

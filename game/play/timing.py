@@ -12,7 +12,7 @@ from collections import Counter
 import numpy as np
 import pygame
 
-from game.play import loop
+from game.play import loop, opening
 from game.play.toy import Toy
 from game.play.ui.theme import Theme
 from game.play.window import Window
@@ -41,7 +41,7 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
     shown: names of SHOWN, what is to be seen besides the sand. cell: pixels to a cell; None: the lattice fits.
     """
     pygame.font.init()
-    window = Window(window_size or loop.window_size(scene, scene.cell, Theme(1.0)))
+    window = Window(window_size or opening.window_size(scene, scene.cell, Theme(1.0)))
     for each in CELLS:
         for _, act in steps(scene.rule, scene.made_of, each):
             act()

@@ -10,16 +10,18 @@ from game.play.blocks import Blocks
 from game.play.camera import Camera
 from game.play.commands import Commands
 from game.play.cursor import Cursor
+from game.play.figures import Figures
 from game.play.files import Files
 from game.play.forecasting import Forecasting
 from game.play.gallery import Gallery
+from game.play.gauge import Frame, own_ns
 from game.play.glow import Glow
 from game.play.hearing import Hearing
 from game.play.help import Help
 from game.play.hints import Hints
 from game.play.hiss import Hiss
 from game.play.keeper import Keeper
-from game.play.layout import Layout
+from game.play.layout import MARGIN, Layout
 from game.play.mixer import Mixer
 from game.play.notice import Notices
 from game.play.panes import Panes
@@ -47,7 +49,6 @@ from game.world.session import Session
 from game.world.settings import Settings
 
 MOST_FORMER = 4  # sessions behind the one that is played
-MARGIN = 8  # pixels at scale 1 around the sand
 
 
 class Toy:
@@ -76,7 +77,8 @@ class Toy:
             self.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
 
     def _gather_helpers(self):
-        self.notices = Notices()
+        self.figures = Figures(self)
+        self.notices = Notices(lambda: self.figures.height)
         self.background = Background(lambda error: self.notices.say(error, trouble=True))
         self.mixer = Mixer(self.background)
         self.rewind, self.camera, self.blocks = Rewind(), Camera(self), Blocks(self)
@@ -88,10 +90,10 @@ class Toy:
         self.photo, self.question = PhotoCard(self), Question(self)
         self.recorder, self.recovery, self.keeper = Recorder(self), Recovery(self), Keeper(self)
         # the last one lies on top
-        self.overlays = [self.camera.badge, self.question, self.photo, self.notices]
+        self.overlays = [self.camera.badge, self.figures, self.question, self.photo, self.notices]
         self.hearing, self.stepping, self.screen = Hearing(self), Stepping(self), Screen(self)
         # what looks at each frame once it is shown, by `look(now_s)`
-        self.watchers = [self.recorder, self.keeper, self.camera.badge]
+        self.watchers = [self.recorder, self.keeper, self.camera.badge, self.figures]
         self._gather_instruments()
 
     def _gather_instruments(self):
@@ -214,7 +216,7 @@ class Toy:
 
     def frame(self, events, elapsed_ns, now_s, mouse_pos=None):
         """Hear events, run the iterations due after `elapsed_ns`, draw what changed; return whether anything did."""
-        start = time.perf_counter_ns()
+        start, worked = time.perf_counter_ns(), own_ns()
         self._now_s = now_s
         self._fit()
         self.background.hear()
@@ -224,6 +226,7 @@ class Toy:
         for act, join in self.brush.hold():
             self.do(act, join)
         self.hearing.follow(mouse_pos)
+        self.figures.follow(mouse_pos, now_s)
         self.stepping.step(elapsed_ns, now_s)
         self._tell(now_s)
         self._fit()
@@ -233,7 +236,8 @@ class Toy:
             each.look(now_s)
         work_ns = time.perf_counter_ns() - start
         self.stepping.note(work_ns)
-        self.hud.count(work_ns, self.session, now_s)
+        frame = Frame(work_ns, own_ns() - worked, self.stepping.moving_ns, self.session.due, self.session.done)
+        self.hud.count(frame, self.session, now_s)
         return bool(changed)
 
     def _left_by_overlays(self, events, now_s, mouse_pos):

@@ -97,10 +97,7 @@ class Window:
         pygame.display.set_caption(self._title)
 
     def _fitting(self, size):
-        desktop = pygame.display.get_desktop_sizes()[0]
-        room = (
-            max(least, most - taken) for least, most, taken in zip(SMALLEST, desktop, ROOM_FOR_DECORATION, strict=True)
-        )
+        room = room_on(pygame.display.get_desktop_sizes()[0])
         return tuple(min(max(side, least), most) for side, least, most in zip(size, SMALLEST, room, strict=True))
 
     def _avoid_slow_flips(self):
@@ -124,6 +121,21 @@ class Window:
 @cache
 def _mapper(shifts):
     return lambda *colour: sum(part << shift for part, shift in zip(colour, shifts, strict=True))
+
+
+def desktop_size():
+    """Return the (width, height) in pixels of the desktop; raise NoDisplayError if there is none."""
+    try:
+        _start_display()
+        return pygame.display.get_desktop_sizes()[0]
+    except pygame.error as error:
+        raise NoDisplayError(str(error)) from None
+
+
+def room_on(desktop):
+    """Return the (width, height) in pixels that a desktop has for a window."""
+    sides = zip(SMALLEST, desktop, ROOM_FOR_DECORATION, strict=True)
+    return tuple(max(least, most - taken) for least, most, taken in sides)
 
 
 def _start_display():

@@ -63,6 +63,25 @@ class Account:
             lines += [("+", "poured", self.poured), ("-", "swallowed", self.swallowed)]
         return [*lines, ("=", "now", self.expected)]
 
+    @property
+    def rows(self):
+        """The books of each colour that ever was: [(its number, start, painted, erased, poured, swallowed, now)]."""
+        columns = (
+            self.start_by_colour,
+            self.painted_by_colour,
+            self.erased_by_colour,
+            self.poured_by_colour,
+            self.swallowed_by_colour,
+            self.expected_by_colour,
+        )
+        books = enumerate(zip(*columns, strict=True))
+        return [(number, *row) for number, row in books if any(row)]
+
+    @property
+    def coloured(self):
+        """Whether there ever was sand of another colour than the first."""
+        return any(row[0] for row in self.rows)
+
     def booked(self, change):
         """Return the account after an act that changed the number of grains of each colour by `change`, a tally."""
         came, went = split(change)

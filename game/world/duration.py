@@ -44,6 +44,14 @@ def spell(seconds, digits=0):
     return f"{text}.{fraction:0{digits}}" if digits else text
 
 
+def spell_short(seconds):
+    """Return a time in few letters: '10 s', '2:30', from an hour on '1:30 h'."""
+    whole = round(seconds)
+    if whole < 60:
+        return f"{seconds:.3g} s"
+    return spell(whole) if whole < 3600 else f"{spell(round(whole / 60))} h"
+
+
 def spell_left(seconds):
     """Return the time that is left as '2:31', so that 0:00 is shown only once it is over."""
     return spell(math.ceil(max(0.0, seconds)))

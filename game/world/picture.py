@@ -93,6 +93,12 @@ class Painter:
             self._draw_rows(world, pixels, top, bottom)
         return drawn
 
+    def differs(self, world):
+        """Return whether a world looks different from what was drawn last."""
+        if self._glass:
+            self._decorate(world)
+        return any(top < bottom for top, bottom in self._changed(world))
+
     def forget(self):
         """Draw everything next time."""
         self._world = None

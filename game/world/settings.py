@@ -28,8 +28,8 @@ ROWS = (
     Switch("chime", True, "a bell when the timer's time is over"),
     Knob("volume", 0.5, 0.0, 1.0, "", "how loud it is"),
     Names("hints_seen", "hints that were shown and are not shown again"),
-    Knob("window_width", 0, 0, 16384, "pixels", "width of the window; 0 is as wide as the scene", whole=True),
-    Knob("window_height", 0, 0, 16384, "pixels", "height of the window; 0 is as high as the scene", whole=True),
+    Knob("window_width", 0, 0, 16384, "pixels", "width of the window; 0 suits scene and screen", whole=True),
+    Knob("window_height", 0, 0, 16384, "pixels", "height of the window; 0 suits scene and screen", whole=True),
     Knob("brush", knob.BRUSH.default, knob.BRUSH.low, knob.BRUSH.high, "cells", knob.BRUSH.meaning, whole=True),
     Knob("memory", knob.MEMORY.default, knob.MEMORY.low, knob.MEMORY.high, "MB", knob.MEMORY.meaning, whole=True),
 )

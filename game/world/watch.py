@@ -5,6 +5,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from game.world.action import SetRule
+from game.world.dyes import COLOURS
 from game.world.measure import grains_above, pile_heights, slope_degrees
 
 MOST = 1000  # samples kept: when there are more, every other one is dropped
@@ -17,6 +18,7 @@ COLUMNS = (
     "pile_height_cells",
     "pile_slope_degrees",
     "slowest_frame_ms",
+    *(f"{colour}_grains" for colour in COLOURS),
 )
 PROFILE_COLUMNS = "column", "pile_height_cells"
 
@@ -32,6 +34,7 @@ class Sample(NamedTuple):
     slope: float  # of its flanks, in degrees; NaN if it has none
     frame_ms: float  # the slowest frame since the sample before
     act: object  # the last act before
+    by_colour: tuple  # the grains of each colour
 
 
 class Watch:
@@ -50,7 +53,9 @@ class Watch:
         above, self.heights = grains_above(world, self.row), pile_heights(world, self.row)
         height, slope = int(self.heights.max()), slope_degrees(self.heights)
         act = session.timeline.history.latest(session.now)
-        self.samples.append(Sample(session.now, seconds, above, world.grains - above, height, slope, frame_ms, act))
+        by_colour = world.grains_by_colour
+        below = sum(by_colour) - above
+        self.samples.append(Sample(session.now, seconds, above, below, height, slope, frame_ms, act, by_colour))
         if len(self.samples) > MOST:
             self.samples = _thinned(self.samples)
 
@@ -64,7 +69,10 @@ class Watch:
 
     def rows(self):
         """Return the story as rows of numbers, as COLUMNS names them."""
-        return [(*each[:4], flow, *each[4:7]) for each, flow in zip(self.samples, self.flows(), strict=True)]
+        return [
+            (*each[:4], flow, *each[4:7], *each.by_colour)
+            for each, flow in zip(self.samples, self.flows(), strict=True)
+        ]
 
 
 def _undisturbed(before, after):

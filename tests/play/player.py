@@ -82,6 +82,14 @@ class Player:
         return int(x), int(y)
 
     def control(self, name, share=0.5):
-        """Return the place at `share` of the way along a control's moving part."""
-        part = (self.toy.panel.ui.parts(name) or [self.toy.panel.ui.rects[name]])[0]
+        """Scroll to a control and return the place at `share` of the way along its moving part."""
+        part = self.parts(name)[0]
         return int(part.left + share * part.width), part.centery
+
+    def parts(self, name):
+        """Scroll to a control and return the rects of its parts, or its own."""
+        ui = self.toy.panel.ui
+        ring = ui.focus.slots[name].ring
+        ui.focus.scroll.reveal(ring.top, ring.bottom)
+        self.frame(elapsed_ns=0)
+        return ui.parts(name) or [ui.rects[name]]

@@ -26,7 +26,7 @@ def drag(player, name, *shares):
     player.settle()
 
 
-@pytest.mark.parametrize(("name", "share"), [("Neck", 0.5), ("Curve", 0.6), ("Wall", 0.35), ("Size", 0.8)])
+@pytest.mark.parametrize(("name", "share"), [("Neck", 0.5), ("Curve", 0.6), ("Wall", 0.35), ("Glass size", 0.8)])
 def test_the_sand_stays_in_the_glass_that_changes(maker, name, share):
     grains, walls = maker.world.grains, maker.world.walls
     drag(maker, name, share, share + 0.02, share + 0.04)
@@ -54,14 +54,14 @@ def test_the_fill_slider_fills_the_upper_bulb(maker):
 
 
 def test_a_glass_too_small_for_its_sand_is_filled_anew(maker):
-    drag(maker, "Size", 0.3)
+    drag(maker, "Glass size", 0.3)
     glass = maker.session.scene.glass
     assert glass.height < 120 and maker.world.grains == glass.cells()[0].sum()
     assert "filled anew" in maker.toy.notices.text and maker.session.account.balanced(maker.world)
 
 
 def test_how_long_it_runs_is_told(maker):
-    drag(maker, "Size", 0.5)
+    drag(maker, "Glass size", 0.5)
     maker.wait(2)
     left = find_ending(maker.session.timeline.course()).at - maker.session.now
     seconds = round(left / maker.session.clock.speed)

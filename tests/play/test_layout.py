@@ -10,9 +10,11 @@ import pytest
 
 from game.play.ui import paint
 from game.play.ui.widgets import Ui
+from game.world.scene import load_scene, scene_names
 
 SIZES = (640, 480), (1280, 720), (3840, 2160)
 SCALES = 0.75, 1, 1.5, 3
+ESSENTIALS = "Scene", "Gallery", "Tool", "Paint", "Colour", "Size", "p", "Speed", "Pause", "Flip", "Undo", "Restart"
 
 
 @pytest.fixture
@@ -71,6 +73,16 @@ def test_the_parts_of_the_window_share_it_without_a_gap(glass, size, scale):
     assert overlapping(parts) is None
     assert sum(rect.width * rect.height for rect in parts.values()) == size[0] * size[1]
     assert layout.sand.width >= size[0] // 2 - 1 and layout.sand.height > size[1] // 2
+
+
+@pytest.mark.parametrize("name", scene_names())
+def test_what_a_newcomer_reaches_for_is_in_sight_without_scrolling(glass, name):
+    glass.toy.open_scene(load_scene(name), 0)
+    ui = seen(glass, (1280, 720), 1)
+    assert ui.focus.scroll.offset == 0
+    assert [each for each in ESSENTIALS if not ui._rect.contains(ui.rects[each])] == []
+    tops = [ui.rects[each].y for each in ESSENTIALS]
+    assert tops == sorted(tops)
 
 
 def test_every_control_says_what_it_does(glass, unfolded):

@@ -1,14 +1,17 @@
 """The plots: beside the sand, never over anything, and nothing at all when closed."""
 
 import csv
+from dataclasses import fields, replace
 
 import numpy as np
 import pygame
 import pytest
 
 from game.play.layout import Layout
+from game.play.ui import paint
 from game.play.ui.theme import Theme
 from game.world.action import Clear, Paint
+from game.world.audit import Account
 from game.world.watch import COLUMNS
 from tests.play.player import Player
 
@@ -83,6 +86,80 @@ def test_the_row_is_the_neck_unless_the_player_sets_another(glass):
     glass.toy.load("paper")
     glass.wait(2)
     assert plots._watch.row == 30
+
+
+def written(player):
+    """Return the words in the cards: (rect, text)."""
+    strokes = player.toy.plots._strokes(player.toy.layout.plots)
+    return [(pygame.Rect(rect), *how[:2]) for stroke, rect, *how in strokes if stroke is paint.words]
+
+
+def coloured(size, scale, factor):
+    """Return a player who looks at the plots of a world with all colours, many times as many grains on its books."""
+    player = Player("rainbow", size)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    player.toy.settings.override("ui_scale", scale)
+    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    player.key(pygame.K_l, "l")
+    player.hold_time()
+    player.session.do(Paint("erase", (40.0, 30.0), (120.0, 70.0), 9))
+    account = player.session.account
+    tallies = {field.name: tuple(factor * each for each in getattr(account, field.name)) for field in fields(account)}
+    player.session.timeline.moment.account = Account(**tallies)
+    player.wait(40)
+    return player
+
+
+@pytest.mark.parametrize("factor", [1, 15, 1500])
+@pytest.mark.parametrize(
+    ("size", "scale"), [((900, 520), 1), ((1280, 720), 1), ((1300, 480), 1), ((1065, 480), 1), ((2560, 1600), 3)]
+)
+def test_the_books_of_eight_colours_can_be_read_at_any_size(size, scale, factor):
+    player = coloured(size, scale, factor)
+    area, theme = player.toy.layout.plots, player.toy.theme
+    words = [each for each in written(player) if each[1]]
+    assert sum(text.startswith("=") for _, text, _ in words) >= 8
+    seen = []
+    for rect, text, kind in words:
+        assert area.contains(rect) and rect.height >= 0.9 * theme.line_height(kind), text
+        wide = theme.width(text, kind)
+        assert wide <= rect.width, text
+        align = "right" if text.lstrip("=+-")[:1].isdigit() else "left"
+        seen += [pygame.Rect(rect.right - wide if align == "right" else rect.x, rect.y, min(wide, rect.width), 1)]
+    numbers = [box for box, (_, text, _) in zip(seen, words, strict=True) if text[0] in "=+-0123456789"]
+    assert all(len(each.collidelistall(numbers)) == 1 for each in numbers)
+    pygame.display.quit()
+
+
+def test_each_colour_has_a_row_that_adds_up(player):
+    for colour in ("indigo", "amber", "rose"):
+        player.session.do(Paint("sand", (20.0, 50.0), (90.0, 50.0), 9, colour=colour))
+    player.session.do(Paint("erase", (30.0, 50.0), (60.0, 50.0), 5))
+    rows, now = player.session.account.rows, player.world.grains_by_colour
+    assert [row[0] for row in rows] == [0, 2, 4]
+    for number, start, painted, erased, poured, swallowed, left in rows:
+        assert start + painted - erased + poured - swallowed == left == now[number]
+    player.key(pygame.K_l, "l")
+    player.wait(20)
+    texts = [text for _, text, _ in written(player)]
+    assert all(f"={now[number]:,}" in texts for number in (0, 2, 4))
+
+
+def test_sand_of_one_colour_has_its_sums_alone(glass):
+    glass.key(pygame.K_l, "l")
+    glass.wait(20)
+    texts = [text for _, text, _ in written(glass)]
+    assert "at the start" in texts and "start" not in texts
+
+
+def test_grains_that_changed_their_colour_alone_are_noticed(player):
+    player.key(pygame.K_l, "l")
+    player.session.do(Paint("sand", (20.0, 50.0), (90.0, 50.0), 9, colour="indigo"))
+    account = player.session.account
+    swapped = replace(account, painted_by_colour=account.painted_by_colour[::-1])
+    player.session.timeline.moment.account = swapped
+    player.wait(20)
+    assert "but in other colours" in [text for _, text, _ in written(player)]
 
 
 def test_the_audit_balances_after_whatever_is_done(player):

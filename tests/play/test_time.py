@@ -225,5 +225,9 @@ def test_every_grain_of_the_session_is_on_the_books(player):
     player.drag(player.pixel(20, 60), player.pixel(60, 85), button=3)
     player.wait(20)
     line = player.toy.hud.drawing(pygame.Rect(0, 0, 2000, 30), player.session)[1][2]
-    account = player.session.account
-    assert f"0 + {account.painted} - {account.erased} = {player.world.grains} grains" in line and "MB" in line
+    assert f"{player.world.grains} grains" in line
+    player.toy.figures.toggle()
+    player.wait(20)
+    account, words = player.session.account, " ".join(player.toy.figures.lines)
+    books = f"0 at the start + {account.painted} painted - {account.erased} erased = {player.world.grains} now"
+    assert books in words and "MB" in words

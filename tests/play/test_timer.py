@@ -8,6 +8,7 @@ from game.play.chime import LENGTH_S, chime
 from game.play.mixer import RATE
 from game.play.pace import Pace
 from game.play.timer import OFF, OVER, RUNNING
+from game.play.ui.sliders import HANDLE
 from game.world.action import Load, SetRule
 from game.world.maker import scene_of
 from game.world.rule import Rule
@@ -233,8 +234,7 @@ def test_stopping_gives_the_speed_back(waiting):
 def test_the_panel_sets_and_starts_it(waiting):
     waiting.toy.panel.timer.open = True
     waiting.wait(1)
-    parts = waiting.toy.panel.ui.parts("Minutes")
-    waiting.click(parts[3].center)
+    waiting.click(waiting.parts("Minutes")[3].center)
     assert waiting.timer.wanted_s == 600
     waiting.click(waiting.control("Timer start"))
     waiting.plan()
@@ -243,6 +243,38 @@ def test_the_panel_sets_and_starts_it(waiting):
     waiting.plan()
     assert waiting.session.scene.name == "glass" and waiting.timer.state == RUNNING
     assert 30 <= waiting.toy.planner.ask().iterations / 600 <= 240
+
+
+def test_its_slider_goes_from_a_second_by_even_steps_to_two_hours(waiting):
+    waiting.toy.panel.timer.open = True
+    waiting.wait(1)
+    waiting.click(waiting.control("Any time", 0.0))
+    assert waiting.timer.wanted_s == 1
+    waiting.toy.panel.ui.focus.by_keyboard = True
+    seen = [1]
+    while seen[-1] < 7200:
+        waiting.key(pygame.K_RIGHT)
+        seen.append(waiting.timer.wanted_s)
+        assert seen[-1] > seen[-2]
+    assert {10, 30, 60, 7200} < set(seen) and all(each % 60 == 0 for each in seen if each > 1800)
+    while seen[-1] > 1:
+        waiting.key(pygame.K_LEFT)
+        seen.append(waiting.timer.wanted_s)
+        assert seen[-1] < seen[-2]
+
+
+@pytest.mark.parametrize(
+    ("seconds", "words"), [(1, "1 s"), (10, "10 s"), (1.5, "1.5 s"), (90, "1:30"), (5400, "1:30 h")]
+)
+def test_its_slider_shows_what_was_asked_for_where_it_is(waiting, seconds, words):
+    waiting.toy.panel.timer.open = True
+    waiting.timer.set(seconds)
+    waiting.wait(1)
+    texts = [how[0] for _, _, *how in waiting.toy.panel.ui._strokes if how]
+    assert words in texts and waiting.timer.wanted_s == seconds
+    edge, wide = HANDLE, waiting.parts("Any time")[0].width
+    waiting.click(waiting.control("Any time", (edge + (wide - 2 * edge) * np.log(seconds) / np.log(7200)) / wide))
+    assert waiting.timer.wanted_s == pytest.approx(seconds, rel=0.1, abs=0.5)
 
 
 @pytest.mark.parametrize("reduced", [True, False])

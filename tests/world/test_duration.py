@@ -2,7 +2,7 @@
 
 import pytest
 
-from game.world.duration import parse_duration, spell, spell_left
+from game.world.duration import parse_duration, spell, spell_left, spell_short
 
 
 @pytest.mark.parametrize(
@@ -35,3 +35,4 @@ def test_what_is_no_time_is_refused_in_one_line(text):
 def test_times_are_spelled():
     assert [spell(180), spell(3723), spell(180.02, 2), spell(59.999, 2)] == ["3:00", "1:02:03", "3:00.02", "1:00.00"]
     assert [spell_left(150.01), spell_left(0.01), spell_left(0), spell_left(-3)] == ["2:31", "0:01", "0:00", "0:00"]
+    assert [spell_short(each) for each in (1, 59.7, 90, 3600, 86_400)] == ["1 s", "1:00", "1:30", "1:00 h", "24:00 h"]

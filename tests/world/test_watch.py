@@ -31,7 +31,8 @@ def test_the_rows_of_the_table_are_the_measures(glass):
         above, heights = grains_above(session.world, 40), pile_heights(session.world, 40)
         flow = math.nan if before is None else (before - above) / 37
         slope = slope_degrees(heights)
-        expected.append((session.now, number / 4, above, session.world.grains - above, flow, heights.max(), slope, 2.5))
+        row = session.now, number / 4, above, session.world.grains - above, flow, heights.max(), slope, 2.5
+        expected.append((*row, *session.world.grains_by_colour))
         before = above
     found = list(csv.reader(io.StringIO(watch.csv(COLUMNS, one.rows()).decode(), newline="")))
     assert tuple(found[0]) == COLUMNS and len(found) == 21

@@ -25,11 +25,14 @@ RESET_KEYS = frozenset({pygame.K_DELETE, pygame.K_BACKSPACE})
 SLIDER_KEYS = RESET_KEYS | {pygame.K_HOME, pygame.K_END} | set(STEP_KEYS)
 
 
-def slider(ui, label, knob, value, default=None, marks=(), log=False, step=None, tip=None, name=None, picture=None):
+def slider(
+    ui, label, knob, value, default=None, marks=(), log=False, step=None, tip=None, name=None, picture=None, spell=None
+):
     """Show a slider for a knob; return its value, as it came unless the person moved it.
 
     default: what a double click or Delete brings back; the knob's own if None. tip: the knob's meaning if None.
     log: equal ratios instead of equal differences. step: see Dial. picture: see slider_with_picture.
+    spell: returns the text of a value; the dial's way if None.
     """
     dial = Dial(knob, log, step)
     row, words, track, number = _lay_out(ui, picture)
@@ -39,7 +42,7 @@ def slider(ui, label, knob, value, default=None, marks=(), log=False, step=None,
     for act in me.acts:
         value = _moved(dial, value, act, track, knob.default if default is None else default)
     ui.stroke(paint.words, words, label, look.BODY, look.TEXT, 0)
-    ui.stroke(paint.words, number, dial.spell(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
+    ui.stroke(paint.words, number, (spell or dial.spell)(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
     if picture:
         _draw_picture(ui, row, picture)
     _draw_track(ui, track, dial, value, marks, me)

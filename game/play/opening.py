@@ -1,0 +1,35 @@
+"""The opening: how large the window is when it opens for the first time."""
+
+from itertools import takewhile
+
+from game.play import hud, panel, timebar
+from game.play.layout import MARGIN
+from game.play.window import room_on
+from game.world import knob
+
+SHARE = 0.7  # of the desktop that a window grows to
+LARGEST = 1920, 1080  # pixels: drawing much more of them would take a good part of each frame
+LOWEST = 560  # pixels at scale 1: of a window whose panel is still of use
+
+
+def window_size(scene, cell, theme):
+    """Return the (width, height) in pixels of a window that shows `scene` with `cell` pixels to a cell."""
+    px = theme.px
+    height, width = (side * cell + 2 * px(MARGIN) for side in scene.shape)
+    return width + px(panel.WIDTH), max(height + px(timebar.HEIGHT) + px(hud.HEIGHT), px(LOWEST))
+
+
+def first_size(scene, theme, desktop):
+    """Return the size of a window whose cells are as large as suits a desktop of (width, height) in pixels.
+
+    The cells grow from what the scene asks for, in whole pixels. A scene that needs more than there is gets what it
+    asks for; Window cuts that.
+    """
+    room = room_on(desktop)
+
+    def suits(size):
+        fits = all(side <= min(*most) for side, *most in zip(size, room, LARGEST, strict=True))
+        return fits and size[0] * size[1] <= SHARE * desktop[0] * desktop[1]
+
+    sizes = (window_size(scene, cell, theme) for cell in range(scene.cell, knob.CELL.high + 1))
+    return [window_size(scene, scene.cell, theme), *takewhile(suits, sizes)][-1]
