@@ -64,6 +64,7 @@ def cache_folder():
 
 
 _FOLDER, NEW = cache_folder()
+_kernels = []
 
 
 def kernel(function):
@@ -71,9 +72,15 @@ def kernel(function):
     before = numba.config.CACHE_DIR
     numba.config.CACHE_DIR = str(_FOLDER or "")
     try:
-        return numba.njit(function, cache=_FOLDER is not None, nogil=True)
+        _kernels.append(numba.njit(function, cache=_FOLDER is not None, nogil=True))
     finally:
         numba.config.CACHE_DIR = before
+    return _kernels[-1]
+
+
+def ready():
+    """Return the kernels that are ready to run, for which types of arguments: a set of (name, types in words)."""
+    return {(each.py_func.__name__, str(types)) for each in _kernels for types in each.signatures}
 
 
 def gate(function):

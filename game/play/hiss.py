@@ -71,10 +71,12 @@ class Hiss:
         mixer.open()
         if mixer.ready and not self._making:
             self._making = True
-            self._toy.background.do(lambda: sound_of(loop()), self._take)
+            self._toy.background.do(loop, self._take)
 
-    def _take(self, sound):
-        self._sound = sound
+    def _take(self, wave):
+        self._making = False
+        if self._toy.mixer.ready:  # it may have been closed meanwhile
+            self._sound = sound_of(wave)
 
     def _glide(self, part):
         self.level += part * (self._goal[0] - self.level)

@@ -17,6 +17,7 @@ from collections import deque
 
 import pygame
 
+from game.core import jit
 from game.play.hand import Hand
 from game.play.memory import give_back_freed, resident_mb
 from game.play.toy import Toy
@@ -58,6 +59,7 @@ class Soak:
         self.slow = []  # the events in it
         self.recent = deque(maxlen=TOLD)
         self._opened = 0
+        self._ready = jit.ready()
 
     def run(self, seconds, say):
         """Play for so long; raise SoakError, or whatever the toy raises, for the first thing that is wrong."""
@@ -83,8 +85,13 @@ class Soak:
         return (
             f"{self.frames:,} frames, {self.acts:,} events, {self.toy.session.scene.name}: {world.grains:,} grains, "
             f"{used_mb:.0f} MB, {past:.0f} of them the past, longest frame {self.longest_s * 1e3:.0f} ms, "
-            f"{self.worked_s * 1e3:.0f} at work ({slow})"
+            f"{self.worked_s * 1e3:.0f} at work ({slow}){self._compiled()}"
         )
+
+    def _compiled(self):
+        """Return what to say of kernels that were not ready before they were needed: for them frames have waited."""
+        late, self._ready = jit.ready() - self._ready, jit.ready()
+        return "".join(f", {name}{types} was not ready" for name, types in sorted(late))
 
     def _frame(self, now_s, elapsed_s, since_s):
         toy = self.toy

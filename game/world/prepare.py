@@ -66,6 +66,8 @@ def later_steps(rule):
         ),
         ("the forecast", _forecast),
         ("the measures", lambda: pile_heights(_dot())),
+        ("the names of worlds", lambda: World.from_cells(*np.zeros((2, 66, 2), bool)).digest()),  # of two bands
+        ("the books of colours", lambda: _dot(coloured=True).grains_by_colour),
         *(
             (f"{what} of colours", act)
             for walls in ("glass", "stone")
@@ -110,7 +112,7 @@ def _draw(walls, cell, coloured=False):
 
 def _turn():
     picture = np.zeros((2, 2), np.uint32)
-    draw_turned(picture, np.uint32(0), 1.0, 0.0, 1.0, picture.copy(), 0, 0, 2, 2)
+    draw_turned(picture, 0, 1.0, 0.0, 1.0, picture.copy(), 0, 0, 2, 2)
 
 
 def _brush(coloured=False):

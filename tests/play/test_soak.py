@@ -1,10 +1,31 @@
 """A short soak: the window under random input; and the soak finds what is wrong."""
 
+import subprocess
+import sys
+
 import pygame
 import pytest
 
 from game.play.hand import Hand
 from game.play.soak import Soak, SoakError
+
+AT_PLAY = """
+import pygame
+from game.core.jit import ready
+from game.play.soak import Soak
+
+pygame.font.init()
+soak = Soak(seed=5)
+toy, known = soak.toy, ready()
+for name in ("hourglass", "rainbow", "fountain", "city"):
+    toy.load(name)
+    soak.run(0.1, print)
+    for command in ("flip", "compare", "undo", "compare", "toggle_forecast", "toggle_plots", "redo"):
+        getattr(toy.commands, command)()
+        soak.run(0.1, print)
+    toy.session.world.digest()
+assert ready() == known, ready() - known
+"""
 
 
 @pytest.fixture
@@ -17,6 +38,10 @@ def test_nothing_goes_wrong_in_some_seconds_of_random_input(soak):
     soak.run(3.0, say=print)
     assert soak.frames > 50 and soak.acts > 20
     soak.toy.close()
+
+
+def test_no_kernel_is_compiled_in_mid_play():
+    subprocess.run([sys.executable, "-c", AT_PLAY], check=True, timeout=100)
 
 
 def test_a_grain_that_is_lost_is_found_out(soak):
