@@ -30,6 +30,28 @@ def heat_levels(counts, runs, walls, levels):
             levels[y, x] = SOLID if walls[y, x] else level
 
 
+@gate
+def _add_row(row, totals, cells):
+    """Add the levels of a row to those of its columns, and count the cells that are no walls."""
+    for x in range(len(row)):
+        free = row[x] != SOLID
+        totals[x] += row[x] if free else 0
+        cells[x] += free
+
+
+@gate
+def _mean_between(first, last, totals, cells):
+    """Return the mean level of the columns from `first` to before `last`."""
+    total, number = 0, 0
+    for x in range(first, last):
+        total += totals[x]
+        number += cells[x]
+    if number == 0:
+        return SOLID
+    mean = np.int64(np.float64(total + number // 2) / np.float64(number))  # exact, as in `heat_levels`
+    return max(mean, min(total, NEVER + 1))
+
+
 @kernel
 def mean_levels(levels, columns, rows, means):
     """Write the mean level of the cells of each pixel to `means`, (len(rows) - 1, len(columns) - 1) uint8.
@@ -37,19 +59,15 @@ def mean_levels(levels, columns, rows, means):
     columns, rows: int32, the cells between which the pixels lie. Walls count only where a pixel holds nothing else; a
     pixel is NEVER only if all its cells are.
     """
+    width = levels.shape[1]
+    totals, cells = np.empty(width, np.int64), np.empty(width, np.int64)  # of each column in a row of pixels
     for i in range(len(rows) - 1):
+        totals[:] = 0
+        cells[:] = 0
+        for y in range(rows[i], rows[i + 1]):
+            _add_row(levels[y], totals, cells)
         for j in range(len(columns) - 1):
-            total, cells = 0, 0
-            for y in range(rows[i], rows[i + 1]):
-                for x in range(columns[j], columns[j + 1]):
-                    level = levels[y, x]
-                    if level != SOLID:
-                        total += level
-                        cells += 1
-            mean = SOLID
-            if cells:
-                mean = max((total + cells // 2) // cells, min(total, NEVER + 1))
-            means[i, j] = mean
+            means[i, j] = _mean_between(columns[j], columns[j + 1], totals, cells)
 
 
 def covers_of(kept, laid):

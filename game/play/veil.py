@@ -1,5 +1,7 @@
 """The veil: a forecast's heat, laid over the sand where the stage has just drawn it."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from game.core.heat import covers_of, lay_heat, mean_levels
@@ -18,7 +20,7 @@ class Veil:
         """Lay the heat over the spans (top, bottom) of rows of `pixels`, an (h, w) uint32 array, in place, once."""
         if view is not self._view:
             self._look_through(view)
-            self._covers = covers_of(*cover(map_rgb, self.stale))
+            self._covers = _covers(map_rgb, self.stale)
         for top, bottom in spans:
             rows = self._rows[max(top - self._top, 0) : max(bottom - self._top, 0)]
             lay_heat(self._levels, self._covers, self._columns, rows, pixels, max(top, self._top), self._left)
@@ -37,6 +39,11 @@ class Veil:
             above, self._rows = _inside(view.rows, part.top, part.height)
             self._levels = self._all
         self._left, self._top = view.seen[0] + first, view.seen[1] + above
+
+
+@lru_cache(maxsize=8)
+def _covers(map_rgb, stale):
+    return covers_of(*cover(map_rgb, stale))
 
 
 def _inside(cells, first, size):
