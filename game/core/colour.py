@@ -1,7 +1,8 @@
 """Colours of grains: bits that go where their grain goes and decide nothing.
 
-The sand of a band moves first and leaves tracks; then the colours follow them. What a colour's planes hold where there
-is no sand means nothing: a grain that leaves need not wipe it away, one that comes writes over it.
+Where events are left to chance, the sand of a band moves first and leaves tracks; then the colours follow them. What a
+colour's planes hold where there is no sand means nothing: a grain that leaves need not wipe it away, one that comes
+writes over it.
 """
 
 from typing import NamedTuple
@@ -61,12 +62,17 @@ def colour_places(at, length, bit):
 
 
 @gate
-def follow(planes, at, i, left_a, left_b, came_c, came_d):
-    """Let one bit of the colours of word i follow, in place. Of two grains that leave a block both fall straight."""
-    a, b, c, d = planes[at.a + i], planes[at.b + i], planes[at.c + i], planes[at.d + i]
+def moved_along(a, b, c, d, left_a, left_b, came_c, came_d):
+    """Return a bit of the colours at c and d once it followed. Of two grains that leave a block both fall straight."""
     to_c, to_d = (a & left_a) | (b & ~left_a), (b & left_b) | (a & ~left_b)
-    planes[at.c + i] = (c & ~came_c) | (to_c & came_c)
-    planes[at.d + i] = (d & ~came_d) | (to_d & came_d)
+    return (c & ~came_c) | (to_c & came_c), (d & ~came_d) | (to_d & came_d)
+
+
+@gate
+def follow(planes, at, i, left_a, left_b, came_c, came_d):
+    """Let one bit of the colours of word i follow, in place."""
+    a, b, c, d = planes[at.a + i], planes[at.b + i], planes[at.c + i], planes[at.d + i]
+    planes[at.c + i], planes[at.d + i] = moved_along(a, b, c, d, left_a, left_b, came_c, came_d)
 
 
 @gate

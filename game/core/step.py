@@ -88,15 +88,13 @@ def put(planes, at, i, a, b, c, d):
 
 
 @gate
-def move_certain(planes, at, size, tracks):
+def move_certain(planes, at, size):
     """Move every grain that can move, in place; return whether there is any."""
     moved = _ZERO
     for i in range(size):
         a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
         fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
         put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
-        if tracks is not None:
-            leave_tracks(tracks, i, fl | tr, fr | tl, fl | tl)
         moved |= fl | fr | tl | tr
     return moved != _ZERO
 
@@ -287,7 +285,7 @@ def move_band(planes, length, stride, x, y, first_row, rows, room, key, certain,
         open_seams(planes, lower, rows, stride)
     stirred = False
     if certain is not None:
-        stirred = move_certain(planes, at, size, room.tracks)
+        stirred = move_certain(planes, at, size)
     if chance is not None:
         stirred = move_by_chance(planes, at, size, np.uint64(first), room, key, chance, seven)
     if x and stirred:
@@ -315,7 +313,7 @@ def advance_planes(
     value for each band, see `world.Activity`; what stirs is stamped. offsets: (x, y) of the first iterations, repeated.
     seed, iteration: uint64. The code for what is None is not even compiled: certain, unless every event is; chance, the
     rule's `Chance`, unless one is not; seven, unless falls are left to chance as well as topples; tracks, room for
-    those of a band, unless grains have colours.
+    those of a band, unless grains have colours. With colours and every event certain, see `advance_together`.
 
     Iterations are skewed: a band runs through several of them while it is in the cache, each one band further up than
     the one before, since what happens in a band depends on that band and the one below, an iteration earlier.

@@ -8,6 +8,7 @@ from game.core.chance import chance_of
 from game.core.colour import ROW, Tracks
 from game.core.planes import aligned
 from game.core.step import advance_planes
+from game.core.together import advance_together
 from game.world import fixture, knob
 from game.world.fixture import Traffic
 from game.world.tally import NONE, added
@@ -40,21 +41,18 @@ def _run(world, rule, iterations):
     certain, chance, seven = needs(rule)
     where, activity = world.layout, world.activity
     activity.expect(rule.schedule, world.iteration)
-    advance_planes(
-        world.planes.reshape(-1),
-        (where.length, where.rows, where.stride, activity.band_rows),
-        activity.quiet,
-        activity.changed,
-        activity.stamp,
-        offsets_from(rule.offsets, world.iteration % len(rule.offsets)),
-        np.uint64(world.seed),
-        np.uint64(world.iteration & _MASK),
-        iterations,
-        certain,
-        chance,
-        seven,
-        Tracks(aligned(3 * ROW), np.empty(ROW, np.uint8)) if world.coloured else None,
-    )
+    planes = world.planes.reshape(-1)
+    shape = where.length, where.rows, where.stride, activity.band_rows
+    quiet, changed, stamp = activity.quiet, activity.changed, activity.stamp
+    offsets = offsets_from(rule.offsets, world.iteration % len(rule.offsets))
+    if certain and world.coloured:
+        advance_together(planes, shape, quiet, activity.busy, changed, stamp, offsets, iterations)
+    else:
+        seed, iteration = np.uint64(world.seed), np.uint64(world.iteration & _MASK)
+        tracks = Tracks(aligned(3 * ROW), np.empty(ROW, np.uint8)) if world.coloured else None
+        advance_planes(
+            planes, shape, quiet, changed, stamp, offsets, seed, iteration, iterations, certain, chance, seven, tracks
+        )
     world.iteration += iterations
     activity.iteration = world.iteration
 

@@ -57,6 +57,17 @@ def test_colours_go_where_their_grains_go(kind, schedule):
         assert (world.colours == wanted).all(), f"{height} x {width} cells"
 
 
+@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+def test_colours_go_where_their_grains_go_across_bands(schedule):
+    generator = np.random.default_rng(55)
+    world = coloured(random_world(generator, 700, 130, seed=5, sand=0.3), generator)
+    assert len(world.activity.quiet) == 2
+    wanted = follow(rows_of(world), world.colours, Rule(schedule=schedule), 5, 9)
+    advance(world, Rule(schedule=schedule), 9)
+    assert (world.colours == wanted).all()
+    assert (world.activity.changed == world.activity.stamp).all()
+
+
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("schedule", reference.SCHEDULES)
 def test_each_colour_is_conserved_and_the_cells_evolve_as_without(kind, schedule):
@@ -98,6 +109,34 @@ def test_following_the_few_words_that_moved_is_like_following_all(kind):
     for each in (world, tall):
         advance(each, rule, 25)
     assert (tall.colours[:60] == world.colours).all() and not tall.colours[60:].any()
+
+
+@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+@pytest.mark.parametrize("shape", [(70, 8000), (300, 1700), (61, 61)])
+def test_moving_sand_and_colours_word_by_word_is_like_moving_all_words(schedule, shape):
+    generator = np.random.default_rng(54)
+    rule = Rule(schedule=schedule)
+    few = coloured(random_world(generator, *shape, seed=4, sand=0.2, walls=0.05), generator)
+    many = few.copy()
+    for some in (1, 1, 2, 3, 4, 1, 2):
+        few.activity.busy[:], many.activity.busy[:] = 0, 2**40
+        advance(few, rule, some)
+        advance(many, rule, some)
+        assert few.digest() == many.digest()
+
+
+@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+def test_two_iterations_at_once_leave_bands_as_quiet_as_one_by_one(schedule):
+    generator = np.random.default_rng(56)
+    rule = Rule(schedule=schedule)
+    world = coloured(random_world(generator, 70, 8000, seed=6, sand=0.001, walls=0.02), generator)
+    twin = world.copy()
+    for some in (5, 7, 8, 8, 9, 12, 16):
+        advance(world, rule, some)
+        for _ in range(some):
+            advance(twin, rule, 1)
+        assert (world.activity.quiet == twin.activity.quiet).all()
+    assert world.digest() == twin.digest()
 
 
 @steady
