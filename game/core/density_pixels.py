@@ -104,7 +104,7 @@ def _bits_of_row(planes, decor, dyed, kind, stride, words, y, scratch, row):
             for word in range(words):
                 scratch[to + word] = _lit(planes, plane, other, start, above, first, word)
         elif kind >= _DYED:
-            if dyed is not None:
+            if dyed:
                 for word in range(words):
                     scratch[to + word] = _of_colour(planes, plane, start + word, kind - _DYED + 1)
         elif decor is not None:
@@ -322,14 +322,14 @@ def _mix_row(counts, seen, cells, lights, channels, light, line, left):
 def draw_density(planes, decor, dyed, stride, words, columns, rows, lights, channels, pixels, top, left):
     """Draw the mean light of the cells of each pixel into `pixels`, an (h, w) uint32 array, in place.
 
-    decor: None, or what stands still behind or in the cells, see core.decor. dyed: None, or True where sand has
+    decor: None, or what stands still behind or in the cells, see core.decor. dyed: whether sand has
     colours. columns: int32, the lattice columns between which the pixels from `left` lie, one more than they are, all
     different; those that `shift_edges` gives are drawn sooner. rows: int32, the same for the rows from `top`. lights:
     (1 + kinds, 3) float64, the light of air in levels of 0 … LIGHTS - 1, then what a cell of each kind adds to it: the
     KINDS, with decor the DECOR_KINDS, with colours the DYES. channels: (3, LIGHTS) uint32, a level as part of a colour.
     """
     width, group = len(columns) - 1, _columns_together(columns, words)
-    kinds = KINDS + (0 if decor is None else DECOR_KINDS) + (0 if dyed is None else DYES)
+    kinds = KINDS + (0 if decor is None else DECOR_KINDS) + (DYES if dyed else 0)
     scratch = np.zeros(_SCRATCH, np.uint64)
     sums = np.zeros((2 * words + 1) * 16, np.uint64)
     flat = sums.view(np.uint16)

@@ -183,11 +183,11 @@ def _cells_of_row(planes, decor, dyed, stride, words, y, shades, pairs, samples,
     """Write the colours of lattice row y, those of two neighbours a word, to (64·words,) uint64."""
     _bits_of_row(planes, decor, stride, words, y, 0, row.bits[:4])
     _bits_of_row(planes, decor, stride, words, y, 1, row.bits[4:])
-    if dyed is not None:
+    if dyed:
         _dye_bits(planes, stride, words, y, 0, row.bits[:4], row.more[:2])
         _dye_bits(planes, stride, words, y, 1, row.bits[4:], row.more[2:])
     _spread(row.bits, words, row.room, row.looks)
-    if dyed is not None:
+    if dyed:
         _spread_more(row.more, words, row.room, row.looks)
     _colours_of_row(row.looks, shades[y % TEXTURE], pairs, colours)
     if samples.shape[0]:
@@ -221,13 +221,13 @@ def draw_cells(
 ):
     """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
-    decor: None, or what stands still behind or in the cells, see core.decor. dyed: None, or True where sand has
+    decor: None, or what stands still behind or in the cells, see core.decor. dyed: whether sand has
     colours. columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the lattice row of each
     pixel row from `top`. shades: (TEXTURE, 64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives.
     samples, blends: those of `core.streams.blend_row`, or no samples.
 
-    ends: None, or int32, the last lattice row of each pixel row, where a pixel may hold two by two cells, which it then
-    mixes; columns of those that hold two are 128·words more than the first of them.
+    ends: int32, the last lattice row of each pixel row, where a pixel may hold two by two cells, which it then mixes;
+    elsewhere none. Then columns of those that hold two are 128·words more than the first of them.
     """
     row = Row(
         np.empty((8, words), np.uint64),
@@ -247,7 +247,7 @@ def draw_cells(
             _copy(pixels[top + i - 1], left, line, left, width)
             continue
         _cells_of_row(planes, decor, dyed, stride, words, y, shades, pairs, samples, blends, row, colours[0])
-        if ends is not None:
+        if len(ends):
             if ends[i] > y:
                 end = ends[i]
                 _cells_of_row(planes, decor, dyed, stride, words, end, shades, pairs, samples, blends, row, colours[2])

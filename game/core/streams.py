@@ -34,7 +34,7 @@ def _bit(word, place):
 @gate
 def _colour_at(planes, dyed, plane, at, place):
     """Return the colour of the grain that is in a cell or was the last one there."""
-    if dyed is None:
+    if not dyed:
         return _ZERO
     colour = _ZERO
     for k in range(DEPTH):

@@ -49,7 +49,7 @@ class Soak:
         settings = Settings()
         settings["memory"] = MEMORY_MB
         window, scene = Window(SIZE), load_scene(SCENES[0])
-        for _, act in (*prepare.steps(scene.rule, scene.made_of, True), *prepare.later_steps(scene.rule)):
+        for _, act in (*prepare.steps(scene.rule, scene.made_of), *prepare.later_steps(scene.rule)):
             act()
         self.toy = Toy(window, scene, settings=settings)
         self.toy.recovery.start()

@@ -13,6 +13,7 @@ from game.world import light
 from game.world.colours import NIGHT, dyed_palette, rgb
 from game.world.streams import NO_SAMPLES
 
+NO_ENDS = np.zeros(0, np.int32)
 NO_BLENDS = np.zeros((0, 0, 0, 0), np.uint32)
 MIXED_BY_TWO = 0.5  # pixels to a cell: from here on a pixel holds no more than two cells in a row, and they are mixed
 MOST_DECORATED = 2**24  # cells: in a larger lattice, a painted wall would hold a frame up for too long
@@ -142,16 +143,15 @@ class Painter:
     def _draw_rows(self, world, pixels, top, bottom):
         left, first, _, _ = self.view.seen
         where, columns, rows = world.layout, self._columns, self._rows[top - first : bottom - first + self._mixes]
-        coloured = True if world.coloured else None
-        what = world.planes, self._decor, coloured, where.stride, where.words, columns
+        what = world.planes, self._decor, world.coloured, where.stride, where.words, columns
         if self._counts:
             plain, decor, dyes = self._paints.lights
-            lights = [plain, *([] if self._decor is None else [decor]), *([dyes] if coloured else [])]
+            lights = [plain, *([] if self._decor is None else [decor]), *([dyes] if world.coloured else [])]
             draw_density(*what, rows, np.concatenate(lights), self._paints.channels, pixels, top, left)
         else:
-            ends = np.maximum(rows[1:] - 1, rows[:-1]) if self._mixes else None
+            ends = np.maximum(rows[1:] - 1, rows[:-1]) if self._mixes else NO_ENDS
             rows = rows[:-1] if self._mixes else rows
-            pairs = self._paints.dyed_pairs if coloured else self._paints.pairs
+            pairs = self._paints.dyed_pairs if world.coloured else self._paints.pairs
             draw_cells(*what, rows, ends, self._shades, pairs, self._samples, self._paints.blends, pixels, top, left)
 
 
