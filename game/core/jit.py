@@ -76,7 +76,7 @@ def kernel(function):
     before = numba.config.CACHE_DIR
     numba.config.CACHE_DIR = str(_FOLDER or "")
     try:
-        _kernels.append(numba.njit(function, cache=_FOLDER is not None, nogil=True))
+        _kernels.append(numba.njit(function, cache=_FOLDER is not None, nogil=True, no_cfunc_wrapper=True))
     finally:
         numba.config.CACHE_DIR = before
     return _kernels[-1]
@@ -89,7 +89,7 @@ def ready():
 
 def gate(function):
     """Compile `function` into each kernel that calls it, body and all: a call would count references to every array."""
-    return numba.njit(function, forceinline=True)
+    return numba.njit(function, forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
 
 
 def _scopes(module):

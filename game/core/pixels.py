@@ -183,11 +183,11 @@ def _cells_of_row(planes, decor, dyed, stride, words, y, shades, pairs, samples,
     """Write the colours of lattice row y, those of two neighbours a word, to (64·words,) uint64."""
     _bits_of_row(planes, decor, stride, words, y, 0, row.bits[:4])
     _bits_of_row(planes, decor, stride, words, y, 1, row.bits[4:])
-    if dyed:
+    if dyed is not None:
         _dye_bits(planes, stride, words, y, 0, row.bits[:4], row.more[:2])
         _dye_bits(planes, stride, words, y, 1, row.bits[4:], row.more[2:])
     _spread(row.bits, words, row.room, row.looks)
-    if dyed:
+    if dyed is not None:
         _spread_more(row.more, words, row.room, row.looks)
     _colours_of_row(row.looks, shades[y % TEXTURE], pairs, colours)
     if samples.shape[0]:
@@ -221,7 +221,7 @@ def draw_cells(
 ):
     """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
-    decor: None, or what stands still behind or in the cells, see core.decor. dyed: whether sand has
+    decor: None, or what stands still behind or in the cells, see core.decor. dyed: None, or True where sand has
     colours. columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the lattice row of each
     pixel row from `top`. shades: (TEXTURE, 64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives.
     samples, blends: those of `core.streams.blend_row`, or no samples.
@@ -246,12 +246,13 @@ def draw_cells(
         if i > 0 and y == rows[i - 1]:
             _copy(pixels[top + i - 1], left, line, left, width)
             continue
-        _cells_of_row(planes, decor, dyed, stride, words, y, shades, pairs, samples, blends, row, colours[0])
+        two = len(ends) > 0 and ends[i] > y
+        for k in range(2 if two else 1):  # a loop, since to compile the row's work twice takes seconds
+            here = y if k == 0 else ends[i]
+            _cells_of_row(planes, decor, dyed, stride, words, here, shades, pairs, samples, blends, row, colours[2 * k])
+        if two:
+            _mix(own, others)
         if len(ends):
-            if ends[i] > y:
-                end = ends[i]
-                _cells_of_row(planes, decor, dyed, stride, words, end, shades, pairs, samples, blends, row, colours[2])
-                _mix(own, others)
             _mix_neighbours(own, mixed)
         if unscaled:
             _copy(cells, columns[0], line, left, width)

@@ -34,7 +34,7 @@ def _bit(word, place):
 @gate
 def _colour_at(planes, dyed, plane, at, place):
     """Return the colour of the grain that is in a cell or was the last one there."""
-    if not dyed:
+    if dyed is None:
         return _ZERO
     colour = _ZERO
     for k in range(DEPTH):

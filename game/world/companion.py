@@ -74,14 +74,14 @@ def steps_to_play(rule, walls, cell=1, coloured=False, fixtures=()):
     sand.
     """
     own, later = prepare.moving_steps(rule, coloured, fixtures), prepare.later_steps(rule)
-    drawing, companion = prepare.drawing_steps(walls, cell), None
+    drawing, companion = prepare.drawing_steps(walls, cell, coloured), None
     if jit.NEW and not getattr(sys, "frozen", False):
-        companion = Companion(_compile, rule, walls, cell)
+        companion = Companion(_compile, rule, walls, cell, coloured)
         drawing, later = companion.beside(drawing), companion.beside(later)
     return own + drawing, later, companion
 
 
-def _compile(tell, rule, walls, cell):
-    for what, act in (*prepare.drawing_steps(walls, cell), *prepare.later_steps(rule)):
+def _compile(tell, rule, walls, cell, coloured):
+    for what, act in (*prepare.drawing_steps(walls, cell, coloured), *prepare.later_steps(rule)):
         act()
         tell.send(what)

@@ -143,15 +143,28 @@ class Painter:
     def _draw_rows(self, world, pixels, top, bottom):
         left, first, _, _ = self.view.seen
         where, columns, rows = world.layout, self._columns, self._rows[top - first : bottom - first + self._mixes]
-        what = world.planes, self._decor, world.coloured, where.stride, where.words, columns
+        how = where.stride, where.words, columns
         if self._counts:
             plain, decor, dyes = self._paints.lights
             lights = [plain, *([] if self._decor is None else [decor]), *([dyes] if world.coloured else [])]
-            draw_density(*what, rows, np.concatenate(lights), self._paints.channels, pixels, top, left)
+            draw_density(
+                world.planes,
+                self._decor,
+                world.coloured,
+                *how,
+                rows,
+                np.concatenate(lights),
+                self._paints.channels,
+                pixels,
+                top,
+                left,
+            )
         else:
             ends = np.maximum(rows[1:] - 1, rows[:-1]) if self._mixes else NO_ENDS
             rows = rows[:-1] if self._mixes else rows
             pairs = self._paints.dyed_pairs if world.coloured else self._paints.pairs
+            coloured = True if world.coloured else None  # known as it is compiled, which is then done twice as soon
+            what = world.planes, self._decor, coloured, *how
             draw_cells(*what, rows, ends, self._shades, pairs, self._samples, self._paints.blends, pixels, top, left)
 
 
