@@ -35,8 +35,8 @@ def _add_row(row, totals, cells):
     """Add the levels of a row to those of its columns, and count the cells that are no walls."""
     for x in range(len(row)):
         free = row[x] != SOLID
-        totals[x] += row[x] if free else 0
-        cells[x] += free
+        totals[x] += np.int32(row[x]) if free else np.int32(0)
+        cells[x] += np.int32(free)
 
 
 @gate
@@ -60,7 +60,7 @@ def mean_levels(levels, columns, rows, means):
     pixel is NEVER only if all its cells are.
     """
     width = levels.shape[1]
-    totals, cells = np.empty(width, np.int64), np.empty(width, np.int64)  # of each column in a row of pixels
+    totals, cells = np.empty(width, np.int32), np.empty(width, np.int32)  # of each column in a row of pixels
     for i in range(len(rows) - 1):
         totals[:] = 0
         cells[:] = 0
