@@ -1,4 +1,4 @@
-"""The shelf of saved scenes: their pictures, read beside the frames, the newest first."""
+"""The shelf of saved scenes, the newest first: the pictures of those in sight, read beside the frames."""
 
 from functools import partial
 
@@ -9,6 +9,7 @@ from game.world.places import folder_of
 
 BATCH = 6  # pictures read at a time
 LARGEST = 640, 480  # pixels of a picture that is kept
+KEPT = 30  # pictures kept that are out of sight; up to 0.9 MB each
 
 
 def saved_scenes():
@@ -34,16 +35,17 @@ class SavedScenes:
     def __init__(self, toy):
         self._toy = toy
         self.paths = []
-        self._pictures = {}  # path: a surface, or None where there is no picture in it
+        self._pictures = {}  # path: a surface, or None where there is no picture in it; the last seen last
         self._sprites = {}  # number: (size, surface) as drawn last
+        self._in_sight = []  # paths
+        self._reading = False
 
     def __len__(self):
         return len(self.paths)
 
     def begin(self):
         """Look what is saved now."""
-        self.paths, self._pictures, self._sprites = saved_scenes(), {}, {}
-        self._read_on()
+        self.paths, self._pictures, self._sprites, self._in_sight = saved_scenes(), {}, {}, []
 
     def name(self, number):
         """Return the name of a scene."""
@@ -64,6 +66,9 @@ class SavedScenes:
     def run(self, now_s, rooms):
         """Fit the pictures that were read into their rooms; return the numbers of those that look different."""
         moved = []
+        self._in_sight = [self.paths[number] for number in rooms]
+        self._forget_some(rooms)
+        self._read_on()
         for number, room in rooms.items():
             picture = self._pictures.get(self.paths[number])
             if picture and self._sprites.get(number, (None,))[0] != room:
@@ -72,15 +77,25 @@ class SavedScenes:
         return moved
 
     def _read_on(self):
-        """Read the next few pictures beside the frames."""
-        next_ones = [path for path in self.paths if path not in self._pictures][:BATCH]
-        if next_ones and self._toy.gallery.shown:
-            self._toy.background.do(partial(_thumbnails, next_ones), self._take)
+        """Read a few of the pictures in sight that are missing, beside the frames."""
+        missing = [path for path in self._in_sight if path not in self._pictures][:BATCH]
+        if missing and not self._reading:
+            self._reading = True
+            self._toy.background.do(partial(_thumbnails, missing), self._take)
 
     def _take(self, found):
+        self._reading = False
         for path, size, data in found:
             self._pictures[path] = pygame.image.frombytes(data, size, "RGB") if size else None
-        self._read_on()
+
+    def _forget_some(self, rooms):
+        """Keep the pictures in sight, and of the others those seen last."""
+        for path in self._in_sight:
+            if path in self._pictures:
+                self._pictures[path] = self._pictures.pop(path)
+        for path in list(self._pictures)[: -KEPT - len(rooms)]:
+            del self._pictures[path]
+        self._sprites = {number: sprite for number, sprite in self._sprites.items() if number in rooms}
 
 
 def _thumbnails(paths):

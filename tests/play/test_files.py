@@ -7,7 +7,7 @@ import pygame
 import pytest
 from PIL import Image
 
-from game.play import recorder
+from game.play import recorder, saved_scenes
 from game.play.files import demos
 from game.play.toy import MOST_FORMER
 from game.world import journal
@@ -93,6 +93,24 @@ def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
     player.click(gallery.tile(1).center)
     player.settle()
     assert player.world.grains == grains[1]
+
+
+def test_of_many_saved_scenes_only_the_pictures_seen_last_are_kept(player, monkeypatch):
+    monkeypatch.setattr(saved_scenes, "KEPT", 5)
+    save(player)
+    first = next(folder_of("scenes").iterdir())
+    for number in range(120):
+        first.with_name(f"copy {number}.png").write_bytes(first.read_bytes())
+    player.hold_time()
+    player.key(pygame.K_o, mod=CTRL)
+    gallery = player.toy.gallery
+    for key in (pygame.K_HOME, *[pygame.K_PAGEDOWN] * 20, pygame.K_END, *[pygame.K_PAGEUP] * 5):
+        player.key(key)
+        for _ in range(5):
+            player.settle()
+        in_sight = [number for number, _ in gallery._tiles()]
+        assert all(gallery.shelf.picture(number) for number in in_sight)
+        assert len(gallery.shelf._pictures) <= len(in_sight) + saved_scenes.BATCH + 5 < 60
 
 
 def test_a_damaged_saved_scene_is_shown_as_such_and_costs_a_line(player):
