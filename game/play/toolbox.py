@@ -14,7 +14,8 @@ TIPS = {  # what each tool does
     "spray": "Strews single grains, denser the longer it rests  (A)",
     "pick": "Takes what is under the pointer to paint with  (I)",
     "replace": "Paints over only what is like the cell it began on  (Y)",
-    "tap": "Places a tap of sand in the chosen colour, as wide as the brush, that never runs dry; a tap or a drain that is there is moved  (J)",
+    "tap": "Places a tap, as wide as the brush, that pours sand of the chosen colour and never runs dry; "
+    "a tap or a drain that is there is moved  (J)",
     "drain": "Places a drain, as wide as the brush, that swallows the sand that comes to it  (Z)",
 }
 SHORT = {"rectangle": "Box"}  # so that four buttons fit a row
