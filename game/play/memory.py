@@ -2,7 +2,7 @@
 
 The allocator of Linux (glibc) keeps a heap for each of many threads, and learns to put arrays of up to 32 MB there;
 between what lives longer they leave holes that are never filled again. A window under random input grew so from 420 to
-610 MB in eight minutes; with what is set here it stays below 300.
+610 MB in eight minutes; with what is set here it stayed below 300.
 """
 
 import ctypes
