@@ -15,7 +15,7 @@ class Keeper:
         self._size = toy.window.size
         settings = toy.settings
         toy.brush.diameter = settings["brush"]
-        toy.session.timeline.memory_mb = settings["memory"]
+        toy.session.limit_memory(settings["memory"])
         if settings.problem:
             toy.notices.say(settings.problem, trouble=True)
 

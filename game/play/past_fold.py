@@ -32,7 +32,7 @@ class PastFold:
         tip = "MB for snapshots of the past; with less of them time runs back more slowly, the sand is the same"
         memory = ui.slider("Memory", knob.MEMORY, int(timeline.memory_mb), log=True, tip=tip)
         if memory != timeline.memory_mb:
-            timeline.memory_mb = round(memory)
+            toy.session.limit_memory(round(memory))
 
     def _demo(self, ui, toy):
         titles = ("Play a replay …", *(name.replace("-", " ").capitalize() for name in self._demos))

@@ -198,12 +198,12 @@ class Toy:
         The first is the player's own.
         """
         for session in self._former:
-            session.timeline.memory_mb = knob.MEMORY.low
+            session.limit_memory(knob.MEMORY.low)
         if len(self._former) > MOST_FORMER:
             self.recovery.close(self._former.pop(1))
 
     def _take(self, session):
-        session.timeline.memory_mb = self.session.timeline.memory_mb
+        session.limit_memory(self.session.timeline.memory_mb)
         self.brush.let_go()
         self.stage, self.session = self._stage_of(session), session
         self.lay_out_anew()

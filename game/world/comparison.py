@@ -58,6 +58,12 @@ class Comparison(Session):
             other.redo(back, _part(budget_ns))
         return super().redo(back, _part(budget_ns))
 
+    def limit_memory(self, memory_mb):
+        """Let the pasts of all worlds take so much memory at most, in millions of bytes, and their shares of it."""
+        super().limit_memory(memory_mb)
+        for other in self.others.values():
+            other.limit_memory(max(knob.MEMORY.low, int(memory_mb) // SHARE))
+
     def frame(self, elapsed_ns, budget_ns=None, due=None):
         """Run what is due in the leading world, and as much in the others; return by how much that is."""
         self.streams = None  # the worlds shall look alike

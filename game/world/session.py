@@ -89,6 +89,10 @@ class Session:
         now = self.now
         return self._turn(self.timeline.redo(back, budget_ns), Entry(now, REDO))
 
+    def limit_memory(self, memory_mb):
+        """Let the snapshots of the past take so much memory at most, in millions of bytes."""
+        self.timeline.memory_mb = memory_mb
+
     def frame(self, elapsed_ns, budget_ns=None, due=None):
         """Run the iterations that fell due in `elapsed_ns`, or the `due` ones, paused or not; return their number.
 

@@ -115,3 +115,12 @@ def test_coloured_sand_is_compared_as_it_lies_now():
     session = Session(load_scene("rainbow"), 1)
     session.timeline.run(60)
     assert present(session).world(1).grains_by_colour == session.world.grains_by_colour
+
+
+def test_a_limit_of_memory_holds_for_the_pasts_of_all_worlds():
+    session = Comparison(load_scene("hourglass"))
+    session.limit_memory(30)
+    budgets = [each.timeline.memory_mb for each in session.sessions.values()]
+    assert sorted(budgets) == [10, 10, 30]
+    session.limit_memory(1)
+    assert {each.timeline.memory_mb for each in session.sessions.values()} == {1}
