@@ -19,9 +19,7 @@ from numba.core import cgutils
 from numba.extending import intrinsic
 from platformdirs import user_cache_dir
 
-FOLDERS_KEPT = (
-    3  # caches of older sources and versions kept beside the current one; fewer means recompiling after a switch
-)
+FOLDERS_KEPT = 3  # caches of older sources and versions beside the current one; fewer means compiling after a switch
 STREAMS = 20  # places in an array that a loop with `apart` can go along from
 
 

@@ -100,21 +100,15 @@ def move_few(planes, at, bits, x, stride, size, flags, flagged):
 
 
 @gate
-def open_band(planes, length, stride, even, odd, crowded):
-    """Open the seams of even and of odd rows, (first, end) each: the sand's and, where it is crowded, the colours'."""
+def at_seams(act, planes, length, stride, even, odd, crowded):
+    """Open or close (`act`) the seams of even and of odd rows, (first, end) each.
+
+    They are the sand's and, where it is crowded, the colours' as well.
+    """
     for bit in range(1 + DEPTH if crowded else 1):
         start = np.uint64((COLOURS + 4 * (bit - 1) if bit else SAND) * length)
-        open_seams(planes, start + np.uint64(even[0] * stride), even[1] - even[0], stride)
-        open_seams(planes, start + np.uint64(2 * length + odd[0] * stride), odd[1] - odd[0], stride)
-
-
-@gate
-def close_band(planes, length, stride, even, odd, crowded):
-    """Close the seams that `open_band` opened."""
-    for bit in range(1 + DEPTH if crowded else 1):
-        start = np.uint64((COLOURS + 4 * (bit - 1) if bit else SAND) * length)
-        close_seams(planes, start + np.uint64(even[0] * stride), even[1] - even[0], stride)
-        close_seams(planes, start + np.uint64(2 * length + odd[0] * stride), odd[1] - odd[0], stride)
+        act(planes, start + np.uint64(even[0] * stride), even[1] - even[0], stride)
+        act(planes, start + np.uint64(2 * length + odd[0] * stride), odd[1] - odd[0], stride)
 
 
 @gate
@@ -129,7 +123,7 @@ def move_band(planes, shape, band, offsets, first, last, crowded, flags, flagged
     last_y = offsets[(last - 1) % len(offsets)][1]
     even, odd = (row + last_y, min(end + first_y, rows)), (row, min(end, rows - last_y))
     if x:
-        open_band(planes, length, stride, even, odd, crowded)
+        at_seams(open_seams, planes, length, stride, even, odd, crowded)
     stirred, most = first - 1, _ZERO
     for t in range(first, last):
         y = offsets[t % len(offsets)][1]
@@ -143,7 +137,7 @@ def move_band(planes, shape, band, offsets, first, last, crowded, flags, flagged
             stirred = t
         most = max(most, moved)
     if x and most:
-        close_band(planes, length, stride, even, odd, crowded)
+        at_seams(close_seams, planes, length, stride, even, odd, crowded)
     return stirred, most
 
 
