@@ -88,7 +88,7 @@ class Figures:
         return [row for line in self.lines for row in theme.lines(line, look.SMALL, room)]
 
     def _write(self, reading):
-        session, shelf = self._toy.session, self._toy.session.timeline.shelf
+        session = self._toy.session
         if reading:
             work = f"{reading.frame_ms:.1f} of {BUDGET_NS / 1e6:.0f} ms of work each"
             yield f"{reading.frames_per_second:.0f} frames a second, {work}"
@@ -96,7 +96,7 @@ class Figures:
             yield _books(self._toy.hud)
         known = f" of {session.reached:,} that are known" if session.now < session.reached else ""
         yield f"Iteration {session.now:,}{known}"
-        yield f"The past takes {shelf.bytes / MEGABYTE:.1f} of {shelf.budget / MEGABYTE:,.0f} MB"
+        yield f"The past takes {session.past_bytes / MEGABYTE:.1f} of {session.memory_mb:,.0f} MB"
 
 
 def _books(hud):

@@ -22,7 +22,7 @@ class Keeper:
     def look(self, now_s):
         """Note what changed, and save it once it is a while ago."""
         toy, settings = self._toy, self._toy.settings
-        settings["brush"], settings["memory"] = toy.brush.diameter, round(toy.session.timeline.memory_mb)
+        settings["brush"], settings["memory"] = toy.brush.diameter, round(toy.session.memory_mb)
         if toy.window.size != self._size and not toy.window.fullscreen:
             self._size = settings["window_width"], settings["window_height"] = toy.window.size
         if not settings.unsaved:

@@ -28,10 +28,9 @@ class PastFold:
         self._demo(ui, toy)
         if toy.can_leave_session and ui.button("Back to my sand", tip="Leaves this replay"):
             toy.leave_session()
-        timeline = toy.session.timeline
         tip = "MB for snapshots of the past; with less of them time runs back more slowly, the sand is the same"
-        memory = ui.slider("Memory", knob.MEMORY, int(timeline.memory_mb), log=True, tip=tip)
-        if memory != timeline.memory_mb:
+        memory = ui.slider("Memory", knob.MEMORY, int(toy.session.memory_mb), log=True, tip=tip)
+        if memory != toy.session.memory_mb:
             toy.session.limit_memory(round(memory))
 
     def _demo(self, ui, toy):

@@ -80,7 +80,7 @@ class Soak:
 
     def told(self, used_mb):
         """Return how it stands, in one line."""
-        world, past = self.toy.session.world, self.toy.session.timeline.shelf.bytes / 2**20
+        world, past = self.toy.session.world, self.toy.session.past_bytes / 2**20
         slow = ", ".join(map(_name, self.slow)) or "no event"
         return (
             f"{self.frames:,} frames, {self.acts:,} events, {self.toy.session.scene.name}: {world.grains:,} grains, "

@@ -203,7 +203,7 @@ class Toy:
             self.recovery.close(self._former.pop(1))
 
     def _take(self, session):
-        session.limit_memory(self.session.timeline.memory_mb)
+        session.limit_memory(self.session.memory_mb)
         self.brush.let_go()
         self.stage, self.session = self._stage_of(session), session
         self.lay_out_anew()

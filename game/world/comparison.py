@@ -17,10 +17,11 @@ class Comparison(Session):
     """
 
     def __init__(self, scene, seed=0, memory_mb=knob.MEMORY.default):
-        super().__init__(scene, seed, memory_mb)
+        super().__init__(scene, seed, _share(memory_mb))
+        self._memory_mb = memory_mb
         self.schedule = scene.rule.schedule
         self.others = {
-            schedule: Session(_under(scene, schedule), seed, max(knob.MEMORY.low, memory_mb / SHARE))
+            schedule: Session(_under(scene, schedule), seed, _share(memory_mb))
             for schedule in SCHEDULES
             if schedule != self.schedule
         }
@@ -59,10 +60,21 @@ class Comparison(Session):
         return super().redo(back, _part(budget_ns))
 
     def limit_memory(self, memory_mb):
-        """Let the pasts of all worlds take so much memory at most, in millions of bytes, and their shares of it."""
-        super().limit_memory(memory_mb)
+        """Let the pasts of all worlds take so much memory together (MB), at least as much as a single one may have."""
+        self._memory_mb = knob.MEMORY.check(memory_mb)
+        super().limit_memory(_share(memory_mb))
         for other in self.others.values():
-            other.limit_memory(max(knob.MEMORY.low, int(memory_mb) // SHARE))
+            other.limit_memory(_share(memory_mb))
+
+    @property
+    def memory_mb(self):
+        """The most that the pasts of all worlds may take together, in millions of bytes."""
+        return self._memory_mb
+
+    @property
+    def past_bytes(self):
+        """What the snapshots of all pasts take."""
+        return super().past_bytes + sum(other.past_bytes for other in self.others.values())
 
     def frame(self, elapsed_ns, budget_ns=None, due=None):
         """Run what is due in the leading world, and as much in the others; return by how much that is."""
@@ -100,6 +112,11 @@ def _kept(action, schedule):
     if isinstance(action, Load):
         return Load(_under(action.scene, schedule), action.seed)
     return action
+
+
+def _share(memory_mb):
+    """Return what each world may take of the memory for all pasts."""
+    return max(knob.MEMORY.low, int(memory_mb) // SHARE)
 
 
 def _part(budget_ns):

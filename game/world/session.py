@@ -93,6 +93,16 @@ class Session:
         """Let the snapshots of the past take so much memory at most, in millions of bytes."""
         self.timeline.memory_mb = memory_mb
 
+    @property
+    def memory_mb(self):
+        """The most that the snapshots of the past may take, in millions of bytes."""
+        return self.timeline.memory_mb
+
+    @property
+    def past_bytes(self):
+        """What the snapshots of the past take."""
+        return self.timeline.shelf.bytes
+
     def frame(self, elapsed_ns, budget_ns=None, due=None):
         """Run the iterations that fell due in `elapsed_ns`, or the `due` ones, paused or not; return their number.
 
