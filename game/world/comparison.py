@@ -1,5 +1,6 @@
 """The comparison: one world under all three schedules at once, told the same things at the same iterations."""
 
+import time
 from dataclasses import replace
 
 from game.world import knob
@@ -7,7 +8,7 @@ from game.world.action import Load, SetRule
 from game.world.rule import SCHEDULES
 from game.world.session import Session
 
-SHARE = len(SCHEDULES)  # of a frame's time and of the memory, each world gets one part in so many
+SHARE = len(SCHEDULES)  # of the memory, and of the time for a seek, each world gets one part in so many
 
 
 class Comparison(Session):
@@ -79,8 +80,24 @@ class Comparison(Session):
     def frame(self, elapsed_ns, budget_ns=None, due=None):
         """Run what is due in the leading world, and as much in the others; return by how much that is."""
         self.streams = None  # the worlds shall look alike
-        done = super().frame(elapsed_ns, _part(budget_ns), due)
-        self.keep_up(None if self.timeline.goal is None else _part(budget_ns))
+        if all(session.timeline.goal is None for session in self.sessions.values()):
+            return super().frame(elapsed_ns, budget_ns, due)
+        done = super().frame(elapsed_ns, _part(budget_ns), due if self.timeline.goal is not None else 0)
+        self.keep_up(_part(budget_ns))
+        return done
+
+    def _run(self, iterations, budget_ns):
+        """Run all worlds side by side, in rounds that double: one may rest while the others have much to move."""
+        start, done = time.perf_counter_ns(), 0
+        some = iterations if budget_ns is None else 1
+        while done < iterations and some > 0:
+            begun, some = time.perf_counter_ns(), min(some, iterations - done)
+            self.timeline.run(some)
+            self.keep_up()
+            done += some
+            now = time.perf_counter_ns()
+            iteration_ns = max(1, (now - begun) / some)
+            some = min(2 * some, int(((budget_ns or 0) - now + start) / iteration_ns))
         return done
 
     def step(self):

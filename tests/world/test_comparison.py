@@ -1,5 +1,6 @@
 """The comparison: three worlds that hear the same and move by their own schedules."""
 
+import time
 from dataclasses import replace
 
 import numpy as np
@@ -9,7 +10,7 @@ from game import Rule, advance, load_scene
 from game.world.action import Clear, Flip, Load, Paint, SetRule, apply
 from game.world.comparison import Comparison, present
 from game.world.rule import SCHEDULES
-from game.world.session import Session
+from game.world.session import BUDGET_NS, Session
 
 FRAME_NS = 16_666_667
 
@@ -124,3 +125,16 @@ def test_a_limit_of_memory_holds_for_the_pasts_of_all_worlds():
     assert budgets == [10, 10, 10] and session.memory_mb == 30
     session.limit_memory(1)
     assert {each.timeline.memory_mb for each in session.sessions.values()} == {1}
+
+
+def test_a_leading_world_with_little_to_do_waits_for_those_with_much():
+    session = Comparison(load_scene("hourglass", (24, 36)))
+    large = load_scene("hourglass", (800, 1200))
+    session.others = {schedule: Session(large) for schedule in session.others}
+    session.frame(0, 1, due=1)  # what has to be compiled is
+    start = time.thread_time_ns()
+    for _ in range(10):
+        session.frame(0, BUDGET_NS, due=100_000)
+        assert len({each.now for each in session.sessions.values()}) == 1
+    assert 1 < session.now < 10 * 100_000
+    assert time.thread_time_ns() - start < 2 * 10 * BUDGET_NS
