@@ -107,6 +107,8 @@ class Soak:
             toy.load(SCENES[self._opened % len(SCENES)])
         toy.frame(events, round(elapsed_s * 1e9), now_s, self.hand.pointer)
         toy.running = True  # whatever the hand did to leave
+        if toy.session.memory_mb > MEMORY_MB:  # the hand has found the slider
+            toy.session.limit_memory(MEMORY_MB)
         self.frames += 1
         took_s = time.perf_counter() - now_s
         if took_s > self.longest_s:

@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from game.play.hand import Hand
-from game.play.soak import Soak, SoakError
+from game.play.soak import MEMORY_MB, Soak, SoakError
 
 AT_PLAY = """
 import pygame
@@ -57,3 +57,9 @@ def test_the_same_seed_gives_the_same_input():
     pairs = [(str(first.events((640, 480), 1)), str(second.events((640, 480), 1))) for _ in range(300)]
     assert all(a == b for a, b in pairs)
     pygame.display.quit()
+
+
+def test_the_hand_does_not_raise_the_limit_of_memory(soak):
+    soak.toy.session.limit_memory(8 * MEMORY_MB)
+    soak.run(0.1, say=print)
+    assert soak.toy.session.memory_mb <= MEMORY_MB
