@@ -6,7 +6,7 @@ import pygame
 
 from game.play import splash
 from game.play.layout import Layout
-from game.play.memory import give_back_freed
+from game.play.memory import give_back_freed, spare_what_lasts
 from game.play.opening import first_size, window_size
 from game.play.toy import Toy
 from game.play.ui.theme import Theme
@@ -40,7 +40,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
                 toy.files.play(recording, recording.scene.title)
             if timer_s is not None:
                 _start_timer(toy, timer_s)
-            run(toy)
+            run(toy, worker)
             pygame.quit()
             toy.close()
     finally:
@@ -65,8 +65,8 @@ def _start_timer(toy, timer_s):
     toy.panel.timer.open = True
 
 
-def run(toy):
-    """Run frames until the toy stops."""
+def run(toy, later=None):
+    """Run frames until the toy stops; later: the Worker at what its first frames do not need, if any."""
     pace = pygame.time.Clock()
     before = time.perf_counter_ns()
     while toy.running:
@@ -74,6 +74,9 @@ def run(toy):
         pointer = pygame.mouse.get_pos() if pygame.mouse.get_focused() else None
         toy.frame(pygame.event.get(), now - before, now / 1e9, pointer)
         before = now
+        if later and later.wait(0):
+            spare_what_lasts()
+            later = None
         pace.tick(FRAMES_PER_SECOND)
 
 

@@ -19,7 +19,7 @@ import pygame
 
 from game.core import jit
 from game.play.hand import Hand
-from game.play.memory import give_back_freed, resident_mb
+from game.play.memory import give_back_freed, resident_mb, spare_what_lasts
 from game.play.toy import Toy
 from game.play.window import Window
 from game.world import prepare
@@ -53,6 +53,7 @@ class Soak:
             act()
         self.toy = Toy(window, scene, settings=settings)
         self.toy.recovery.start()
+        spare_what_lasts()
         self.hand = Hand(seed)
         self.frames = self.acts = 0
         self.longest_s = self.worked_s = 0.0  # the longest frame, and what of it was work of this thread

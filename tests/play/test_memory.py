@@ -1,4 +1,4 @@
-"""What is freed does not stay with the process."""
+"""What is freed does not stay with the process; what lasts is not looked through again."""
 
 import subprocess
 import sys
@@ -29,3 +29,33 @@ print(resident_mb() - before)
 def test_large_arrays_of_many_threads_leave_no_holes_behind():
     said = subprocess.run([sys.executable, "-c", HOLES], capture_output=True, text=True, check=True)
     assert float(said.stdout) < 20
+
+
+LASTING = """
+import gc, time
+import pygame
+from game.play.loop import run
+from game.world.companion import Worker
+
+class ShortGame:
+    running = True
+    def frame(self, *_):
+        self.running = False
+
+def pass_s():
+    start = time.thread_time()
+    gc.collect()
+    return time.thread_time() - start
+
+pygame.display.init()
+lasting = [[] for _ in range(300_000)]
+before = pass_s()
+ready = Worker([])
+assert ready.wait(10)
+run(ShortGame(), ready)
+assert pass_s() < before / 5
+"""
+
+
+def test_a_full_pass_of_the_garbage_collector_is_short_once_all_is_ready():
+    subprocess.run([sys.executable, "-c", LASTING], check=True)
