@@ -71,6 +71,7 @@ class Toy:
         self.panel_shown = True
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
         self._now_s = 0.0  # when this frame is
+        self._has_waited = False  # in this frame, for the moment that the session should be at
         self._size = None  # of the window and the lattice, as laid out, and what they look like
         self._gather_helpers()
         if p is not None:
@@ -122,11 +123,15 @@ class Toy:
         return THEMES[self.settings["theme"]]
 
     def is_there(self):
-        """Return whether the session is at the moment it should be at; wait a little for that, or say so."""
-        there = self.session.timeline.catch_up(self.SEEK_NS)
-        if not there:
-            self.notices.say("The sand is still being computed.")
-        return there
+        """Return whether the session is where it should be; wait for that a little, once a frame, or say so."""
+        timeline = self.session.timeline
+        if timeline.goal is not None and not self._has_waited:
+            self._has_waited = True
+            timeline.catch_up(self.SEEK_NS)
+        if timeline.goal is None:
+            return True
+        self.notices.say("The sand is still being computed.")
+        return False
 
     @property
     def page(self):
@@ -217,7 +222,7 @@ class Toy:
     def frame(self, events, elapsed_ns, now_s, mouse_pos=None):
         """Hear events, run the iterations due after `elapsed_ns`, draw what changed; return whether anything did."""
         start, worked = time.perf_counter_ns(), own_ns()
-        self._now_s = now_s
+        self._now_s, self._has_waited = now_s, False
         self._fit()
         self.background.hear()
         events = self.cursor.listen(self._left_by_overlays(events, now_s, mouse_pos))

@@ -5,7 +5,8 @@ import pytest
 
 from game.world.action import Flip
 from game.world.scene import load_scene
-from game.world.session import Session
+from game.world.session import BUDGET_NS, Session
+from game.world.timeline import Timeline
 
 CTRL = pygame.KMOD_LCTRL
 SHIFT = pygame.KMOD_LSHIFT
@@ -231,3 +232,20 @@ def test_every_grain_of_the_session_is_on_the_books(player):
     account, words = player.session.account, " ".join(player.toy.figures.lines)
     books = f"0 at the start + {account.painted} painted - {account.erased} erased = {player.world.grains} now"
     assert books in words and "MB" in words
+
+
+def test_a_frame_waits_once_for_a_moment_that_is_far_whatever_is_done_in_it(glass, monkeypatch):
+    budgets = []
+
+    def catch_up(timeline, budget_ns=None):
+        budgets.append(budget_ns)
+        return caught_up(timeline, budget_ns)
+
+    caught_up = Timeline.catch_up
+    glass.session.seek(2**40, budget_ns=1)
+    glass.pointer = pos = glass.pixel(90, 60)
+    monkeypatch.setattr(Timeline, "catch_up", catch_up)
+    moves = [pygame.event.Event(pygame.MOUSEMOTION, pos=pos, rel=(0, 0), buttons=(1, 0, 0))] * 3
+    glass.frame(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=pos, button=1), *moves)
+    assert len(budgets) >= 2 and sum(budgets) <= glass.toy.SEEK_NS + BUDGET_NS
+    assert not glass.session.timeline.history.can_undo(2**40)
