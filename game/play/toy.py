@@ -172,14 +172,14 @@ class Toy:
         if keep or self.session.timeline.history.line.before is not None or self._former:
             self._former.append(self.session)
         else:
-            self.recovery.close(self.session)
+            self._end(self.session)
         self._take(session)
         self._shrink_former()
 
     def leave_session(self):
         """Go back to the session that this one was opened over; return whether there is one."""
         if self._former:
-            self.recovery.close(self.session)
+            self._end(self.session)
             self._take(self._former.pop())
             return True
         return False
@@ -207,7 +207,11 @@ class Toy:
         for session in self._former:
             session.limit_memory(knob.MEMORY.low)
         if len(self._former) > MOST_FORMER:
-            self.recovery.close(self._former.pop(1))
+            self._end(self._former.pop(1))
+
+    def _end(self, session):
+        self.recovery.close(session)
+        session.drop_past()
 
     def _take(self, session):
         session.limit_memory(self.session.memory_mb)

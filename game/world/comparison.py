@@ -67,6 +67,12 @@ class Comparison(Session):
         for other in self.others.values():
             other.limit_memory(_share(memory_mb))
 
+    def drop_past(self):
+        """Drop the snapshots of all pasts."""
+        super().drop_past()
+        for other in self.others.values():
+            other.drop_past()
+
     @property
     def memory_mb(self):
         """The most that the pasts of all worlds may take together, in millions of bytes."""

@@ -93,6 +93,10 @@ class Session:
         """Let the snapshots of the past take so much memory at most, in millions of bytes."""
         self.timeline.memory_mb = memory_mb
 
+    def drop_past(self):
+        """Drop the snapshots of the past; they hold each other, and nobody may look for such circles for long."""
+        self.timeline.drop_past()
+
     @property
     def memory_mb(self):
         """The most that the snapshots of the past may take, in millions of bytes."""

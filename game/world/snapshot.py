@@ -81,6 +81,11 @@ class Shelf:
                 if self.bytes <= budget:
                     break
 
+    def empty(self):
+        """Drop all snapshots."""
+        for snapshot in list(self._kept):
+            self._drop(snapshot)
+
     def _cost(self, snapshot):
         return snapshot.moving.nbytes + (0 if id(snapshot.walls) in self._walls else snapshot.walls.nbytes)
 

@@ -54,6 +54,11 @@ class Timeline:
     def memory_mb(self, most):
         self.shelf.fit(knob.MEMORY.check(most) * MEGABYTE, self.history.line)
 
+    def drop_past(self):
+        """Drop all snapshots: the past is computed anew from the start."""
+        self.shelf.empty()
+        self._trail.clear()
+
     def run(self, iterations, budget_ns=None):
         """Run forward and return by how many iterations; with a budget by fewer, but one at least, where they are slow.
 

@@ -84,3 +84,33 @@ assert pass_s() < before / 5
 
 def test_a_full_pass_of_the_garbage_collector_is_short_once_all_is_ready():
     subprocess.run([sys.executable, "-c", LASTING], check=True)
+
+
+LEFT = """
+import gc
+import pygame
+from game.play.memory import spare_what_lasts
+from game.world import timeline
+from game.world.assets import asset
+from game.world.snapshot import Snapshot
+from tests.play.player import Player
+
+pygame.font.init()
+timeline.SPACING_NS, timeline.SHARE = 1, 0  # a snapshot wherever there may be one
+player = Player("fountain")
+spare_what_lasts()
+for _ in range(50):
+    player.session.timeline.run(50)
+left = player.session.timeline.shelf
+assert len(left) >= 50
+player.drop(sorted(asset("replays").glob("*.sandglass"))[0])
+player.settle()
+assert player.session.timeline.shelf is not left
+gc.collect()
+kept = sum(isinstance(each, Snapshot) for each in gc.get_objects())
+assert kept <= len(player.session.timeline.shelf), kept
+"""
+
+
+def test_a_session_that_nobody_returns_to_leaves_no_snapshots():
+    subprocess.run([sys.executable, "-c", LEFT], check=True)
