@@ -42,6 +42,10 @@ class Fixture:
     every: int = 1  # iterations
     colour: str = AMBER  # of the sand that a tap pours: one of DYES
 
+    def __post_init__(self):
+        for key in ("x", "y"):  # beyond that no lattice has cells, and no file may tell of it
+            object.__setattr__(self, key, min(max(getattr(self, key), FIRST_CELL.low), FIRST_CELL.high))
+
     def __str__(self):
         """What digests are made of: amber goes without saying, as it did before taps had colours."""
         return f"Fixture({', '.join(f'{key}={value!r}' for key, value in self.as_dict().items())})"
@@ -136,6 +140,11 @@ def read_all(table, key="fixtures"):
         kind = each.choice("kind", (TAP, DRAIN))
         each.allow(("kind", *KEYS[kind]))
         fixtures.append(read(each, kind))
+    return checked(fixtures, table, key)
+
+
+def checked(fixtures, table, key):
+    """Return them as a tuple; raise SceneError, for the key of a Table that they end with, where there are too many."""
     if len(fixtures) > MOST:
         raise table.error(key, f"{len(fixtures)} fixtures", f"at most {MOST}")
     return tuple(fixtures)

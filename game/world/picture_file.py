@@ -32,7 +32,7 @@ from game.world.rule import Rule
 from game.world.saving import FileError, load, save
 from game.world.scene import Scene
 from game.world.scene_record import decode_rule
-from game.world.table import LONGEST_LINE, SceneError, Table
+from game.world.table import SceneError, Table
 
 VERSION = 1
 CHUNK = "sandglass"  # the key of the text in the PNG
@@ -115,6 +115,8 @@ def open_picture(path):
     """
     path = Path(path)
     pixels, text = _read(path)
+    if pixels.ndim == 2:
+        return _picture(path, pixels, text)
     if text is not None or _is_drawn(pixels):
         return _picture(path, _by_rows(pixels, nearest_materials), text)
     return Photo(path, _fitted(pixels))
@@ -129,7 +131,7 @@ def load_picture(path, threshold=None):
     if threshold is None:
         found = open_picture(path)
         return found.picture() if isinstance(found, Photo) else found
-    pixels, _ = _read(Path(path))
+    pixels, _ = _read(Path(path), as_photo=True)
     return Photo(Path(path), _fitted(pixels)).picture(threshold)
 
 
@@ -142,22 +144,44 @@ def _picture(path, materials, text):
     return Picture(Scene(path.stem, sand=sand, walls=walls, colours=colours, **settings), seed)
 
 
-def _read(path):
-    """Return the (H, W, 4) uint8 pixels of a picture and its text of settings, or None."""
+def _read(path, as_photo=False):
+    """Return the (H, W, 4) uint8 pixels of a picture and its text of settings, or None.
+
+    Of one that a scene was saved as, unless it is to be a photo, return the (H, W) materials: it may be as large as a
+    lattice.
+    """
     from PIL import Image
 
+    Image.MAX_IMAGE_PIXELS = None  # what is too large is found out here, before its pixels are read
     data = load(path, LARGEST_FILE, PictureError)
     try:
         with warnings.catch_warnings(action="ignore"), Image.open(io.BytesIO(data), formats=FORMATS) as picture:
-            width, height = picture.size
-            if width * height > MOST_PIXELS or max(width, height) > knob.SIDE.high:
+            (width, height), text = picture.size, picture.info.get(CHUNK)
+            saved = text is not None and picture.mode == "P" and "transparency" not in picture.info and not as_photo
+            if max(width, height) > knob.SIDE.high or (width * height > MOST_PIXELS and not saved):
                 raise PictureError(f"{path}: found {width}×{height} pixels, wanted at most {PICTURE_SIZE}")
-            pixels = np.asarray(picture.convert("RGBA"))
-            return pixels, picture.info.get(CHUNK)
+            return (_by_palette if saved else _upright)(picture), text
     except PictureError:
         raise
     except Exception:  # Pillow's decoders raise whatever a damaged file makes them trip over
         raise PictureError(f"{path}: found an unreadable file, wanted a {', '.join(FORMATS)}") from None
+
+
+def _by_palette(picture):
+    """Return the material of each pixel of a picture with a palette, by the colour that the palette gives it."""
+    palette = np.array(picture.getpalette("RGBA"), np.uint8).reshape(1, -1, 4)
+    materials = np.full(256, EMPTY, np.uint8)
+    materials[: palette.shape[1]] = nearest_materials(palette)[0]
+    return materials[np.asarray(picture)]
+
+
+def _upright(picture):
+    """Return the RGBA pixels of a picture, turned as the camera was held, each channel in eight bits."""
+    from PIL import Image, ImageOps
+
+    if picture.mode.startswith("I"):  # grey in 16 bits
+        picture = Image.fromarray((np.asarray(picture).clip(0, 2**16 - 1) >> 8).astype(np.uint8))
+    return np.asarray(ImageOps.exif_transpose(picture).convert("RGBA"))
 
 
 def _is_drawn(pixels):
@@ -187,7 +211,7 @@ def _fitted(pixels):
 def _settings(path, text):
     """Return the fields of a Scene beside its cells, and the seed, from the text in its picture."""
     if text is None:
-        fields = {"title": path.stem[:LONGEST_LINE], "notice": "", "rule": Rule.with_p(0.75, "balanced")}
+        fields = {"title": path.stem, "notice": "", "rule": Rule.with_p(0.75, "balanced")}
         return fields | {"speed": knob.SPEED.default, "cell": knob.CELL.default}, knob.SEED.default
     try:
         table = Table(path, json.loads(text), f"{CHUNK}: ")

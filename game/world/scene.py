@@ -17,7 +17,7 @@ from game.world.fixture import DRAIN, TAP
 from game.world.glass_shape import Glass
 from game.world.rule import FIELDS, SCHEDULES, Rule
 from game.world.shapes import Scale, middle_of_glass, only_glass, paint
-from game.world.table import SceneError, read_table
+from game.world.table import SceneError, as_line, read_table
 from game.world.world import World
 
 __all__ = ["Scene", "SceneError", "load_scene", "scene_names"]
@@ -53,6 +53,8 @@ class Scene:
     shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
 
     def __post_init__(self):
+        for name in ("name", "title", "notice"):  # what files are called may hold any sign
+            object.__setattr__(self, name, as_line(getattr(self, name)))
         for name in ("sand", "walls", "colours"):
             object.__setattr__(self, name, _shared(getattr(self, name)))
 
@@ -175,7 +177,7 @@ def _fixtures(table, own_size, shape):
         for each in table.tables(kind):
             each.allow(fixture.KEYS[kind])
             found.append(fixture.read(each, kind).scaled(shape[1] / own_size[0], shape[0] / own_size[1]))
-    return tuple(found)
+    return fixture.checked(found, table, f"{TAP} and {DRAIN}")
 
 
 def _neck(table, shape):

@@ -4,6 +4,7 @@ import base64
 import binascii
 import hashlib
 import zlib
+from dataclasses import fields
 from functools import lru_cache
 
 import numpy as np
@@ -18,8 +19,10 @@ from game.world.table import shown
 SHIPPED = ("name", "size", "start")
 EMBEDDED = (
     *("name", "title", "notice", "size", "cells", "colours", "walls", "rule", "speed", "cell"),
-    *("fixtures", "glass"),
+    *("fixtures", "glass", "neck"),
 )
+BESIDE_CELLS = [each.name for each in fields(Scene) if each.name not in ("sand", "walls", "colours")]
+NECK = knob.Knob("neck", 0, 0, knob.SIDE.high, "", "the row in the middle of a glass", whole=True)
 
 
 def start_digest(scene):
@@ -34,7 +37,7 @@ def start_digest(scene):
 def encode(scene, known):
     """Return the record of a scene as a dict for JSON; known: {start digest: scene} of the file so far, added to."""
     start = start_digest(scene)
-    if start in known and (known[start].name, known[start].made_of) == (scene.name, scene.made_of):
+    if start in known and all(getattr(known[start], field) == getattr(scene, field) for field in BESIDE_CELLS):
         return {"again": start}
     known[start] = scene
     size = list(scene.shape[::-1])
@@ -53,6 +56,7 @@ def encode(scene, known):
         "cell": scene.cell,
         **({"fixtures": [each.as_dict() for each in scene.fixtures]} if scene.fixtures else {}),
         **({"glass": scene.glass.as_dict()} if scene.glass else {}),
+        **({"neck": scene.neck} if scene.neck is not None else {}),
     }
 
 
@@ -117,6 +121,7 @@ def _embedded(table):
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
         fixtures=fixture.read_all(table),
         glass=glass_shape.read(table.table("glass")) if "glass" in table else None,
+        neck=table.number("neck", NECK) if "neck" in table else None,
     )
 
 

@@ -17,6 +17,11 @@ class SceneError(ValueError):
         super().__init__("".join(c if c.isprintable() else " " for c in line))
 
 
+def as_line(text):
+    """Return text as `Table.line` takes it: a space for a sign that cannot be shown, and no more than fits."""
+    return "".join(sign if sign.isprintable() else " " for sign in text)[:LONGEST_LINE]
+
+
 class Table:
     """The keys and values of one table; `where` leads to it in messages, such as 'rule.' or 'shape 2 (line).'."""
 
@@ -51,7 +56,7 @@ class Table:
     def line(self, key, default):
         """Return the text at `key`, one line that can be shown."""
         wanted = f"one line of text, at most {LONGEST_LINE} characters"
-        value = self.values.get(key, default)
+        value = self.values[key] if key in self.values else as_line(default)
         if not isinstance(value, str) or not value.isprintable() or len(value) > LONGEST_LINE:
             raise self.error(key, shown(value), wanted)
         return value

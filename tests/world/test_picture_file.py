@@ -10,12 +10,13 @@ from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
 from game import Rule
-from game.world import saving
-from game.world.action import Load
+from game.world import picture_file, saving
+from game.world.action import Flip, Load
 from game.world.drawing import COLOURS
 from game.world.dyes import COLOURS as NAMES
 from game.world.dyes import DYED, nearest_dyes
 from game.world.picture_file import CHUNK, Photo, PictureError, load_picture, save_picture
+from game.world.replay import load_replay, save_replay
 from game.world.session import Session
 from tests.world.sessions import SCENES, played, plays
 
@@ -158,3 +159,53 @@ def test_a_photo_in_colours_has_the_dye_that_each_grain_looks_like():
 )
 def test_a_dye_is_found_by_its_look(colour, dye):
     assert NAMES[nearest_dyes(np.array([[colour]], np.uint8))[0, 0]] == dye
+
+
+def test_a_scene_as_large_as_a_lattice_may_be_is_opened_again(tmp_path, monkeypatch):
+    monkeypatch.setattr(picture_file, "MOST_PIXELS", 100)
+    scene, _ = load_picture(saved(tmp_path))
+    assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
+    with pytest.raises(PictureError, match="pixels, wanted at most"):
+        load_picture(saved(tmp_path), threshold=0.5)
+
+
+def test_a_scene_whose_palette_was_put_in_another_order_is_the_same(tmp_path):
+    path = saved(tmp_path)
+    with Image.open(path) as picture:
+        text = PngInfo()
+        text.add_text(CHUNK, picture.info[CHUNK])
+        order = list(range(len(COLOURS)))[::-1]
+        picture.remap_palette(order).save(tmp_path / "other.png", pnginfo=text)
+    scene, _ = load_picture(tmp_path / "other.png")
+    assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
+
+
+def test_a_photo_stands_as_the_camera_was_held(tmp_path):
+    pixels = np.zeros((30, 60, 3), np.uint8)
+    pixels[:, :20] = 255  # the left third is bright, which orientation 6 turns to the top
+    held = Image.Exif()
+    held[0x0112] = 6
+    Image.fromarray(pixels).save(tmp_path / "photo.png", exif=held)
+    scene, _ = load_picture(tmp_path / "photo.png", threshold=0.5)
+    assert scene.shape == (60, 30) and scene.sand[:20].all() and not scene.sand[20:].any()
+
+
+def test_a_photo_in_sixteen_bits_is_as_bright_as_in_eight(tmp_path):
+    grey = np.random.default_rng(7).integers(0, 256, (40, 50), np.uint16)
+    Image.fromarray(grey.astype(np.uint8)).save(tmp_path / "eight.png")
+    Image.fromarray(grey * 257).save(tmp_path / "sixteen.png")
+    eight, sixteen = (load_picture(tmp_path / f"{name}.png", threshold=0.5).scene for name in ("eight", "sixteen"))
+    assert (eight.sand == sixteen.sand).all() and (eight.walls == sixteen.walls).all() and not eight.sand.all()
+
+
+@pytest.mark.parametrize("name", ["at 1.23.45\u202fPM", "a" * 210, "nbsp\u00a0x", "fam\u200dily"])
+def test_whatever_a_photo_is_called_sessions_and_pictures_of_it_can_be_read(tmp_path, name):
+    Image.fromarray(np.random.default_rng(3).integers(0, 255, (20, 30, 3), np.uint8)).save(tmp_path / f"{name}.png")
+    scene, seed = load_picture(tmp_path / f"{name}.png")
+    session = Session(SCENES[0])
+    session.do(Load(scene, seed))
+    session.do(Flip())
+    save_replay(tmp_path / "some.sandglass", session)
+    recording = load_replay(tmp_path / "some.sandglass")
+    assert recording.problem is None and len(recording.entries) == 2
+    assert load_picture(saved(tmp_path, session)).scene.title == scene.title
