@@ -13,6 +13,7 @@ from game.world import table
 from game.world.advance import advance
 from game.world.assets import asset
 from game.world.drawing import COLOURS
+from game.world.fixture import MOST
 from game.world.rule import Rule
 from game.world.scene import SceneError, load_scene, scene_names, scene_title
 
@@ -440,3 +441,10 @@ def test_damaged_bytes_raise_scene_error_or_load(tmp_path, at, damage):
 def test_a_scene_loaded_again_shares_its_cells():
     one, other = load_scene("rainbow"), load_scene("rainbow")
     assert one.sand is other.sand and one.walls is other.walls and one.colours is other.colours
+
+
+def test_no_scene_has_more_fixtures_than_a_session_can_tell_of(tmp_path):
+    taps = "".join(f"[[tap]]\nx = {number % 60}\ny = {number // 60}\n" for number in range(MOST + 1))
+    (tmp_path / "taps.toml").write_text(f"width = 60\nheight = 40\n{taps}")
+    with pytest.raises(SceneError, match=f"tap and drain: found {MOST + 1} fixtures, wanted at most {MOST}"):
+        load_scene(tmp_path / "taps.toml")
