@@ -1,7 +1,6 @@
 """The toy: one window's state, and one frame of it."""
 
 import time
-from functools import cache
 
 from game.play import hud, panel, timebar
 from game.play.ahead import Ahead
@@ -294,7 +293,6 @@ class Toy:
         if wanted != (self.theme.scale, self.theme.colours):
             self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.theme_of(*wanted)
 
-    @cache  # noqa: B019 - there is one toy, and scene files do not change under it
     def title_of(self, name):
         """Return the title of a shipped scene, or of the one that is open."""
         scene = self.session.scene

@@ -2,6 +2,7 @@
 
 import os
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from weakref import WeakValueDictionary
 from zlib import crc32
@@ -120,8 +121,9 @@ def scene_names():
     return tuple(sorted(found, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER)))
 
 
+@cache
 def scene_title(name):
-    """Return the title of a shipped scene without making its cells."""
+    """Return the title of a shipped scene without making its cells; its file is read once."""
     path = _path(name)
     return read_table(path).line("title", path.stem)
 

@@ -144,6 +144,15 @@ def test_a_dropped_scene_file_is_played(player, tmp_path):
     assert player.world.shape == (2, 3) and player.world.grains == 2
 
 
+def test_a_scene_file_that_was_edited_is_shown_by_its_new_title(player, tmp_path):
+    path = tmp_path / "own.toml"
+    for title in ("First", "Second"):
+        path.write_text(f'title = "{title}"\nwidth = 20\nheight = 20\n')
+        player.drop(path)
+        player.settle()
+        assert player.toy.title_of("own") == player.session.scene.title == title
+
+
 def test_a_dropped_replay_is_played_and_left_again(player, glass, tmp_path):
     glass.wait(30)
     glass.key(pygame.K_c)
