@@ -6,7 +6,7 @@ from game.play.fittings import Carry, fresh
 from game.play.gestures import Press, Span, Trail
 from game.play.marks import box_outline, brush_outline, mark
 from game.world import knob
-from game.world.action import KINDS, SHAPES, box, snap
+from game.world.action import KINDS, SHAPES, USUAL_SHAPE, box, snap
 from game.world.dyes import AMBER, COLOURS, DYES
 
 MATERIALS = ("sand", "wall", "erase")
@@ -35,7 +35,7 @@ class Brush:
         self.material = "sand"
         self.colour = AMBER  # of sand: one of DYES
         self.diameter = knob.BRUSH.default
-        self.shape = "round"
+        self.shape = USUAL_SHAPE
         self.over_walls = False
         self.every = knob.EVERY.default  # iterations from one grain of a new tap to the next
         self.edge_only = False  # rectangles and ellipses are drawn as their outline, as thick as the brush

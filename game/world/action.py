@@ -18,10 +18,11 @@ from game.world.tally import NONE
 MATERIALS = {"erase": EMPTY, "sand": GRAIN, "wall": WALL}
 KINDS = {"empty": EMPTY, "sand": GRAIN, "wall": WALL}
 SHAPES = {"round": ROUND, "square": SQUARE, "diamond": DIAMOND}
+USUAL_SHAPE = "round"
 FIGURES = {"rectangle": RECTANGLE, "ellipse": ELLIPSE}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Paint:
     """A stroke of the brush from one place to another: `start` and `end` are (column, row), in cells."""
 
@@ -30,13 +31,13 @@ class Paint:
     end: tuple
     diameter: int  # cells
     over_walls: bool = False
-    shape: str = "round"  # a key of SHAPES
+    shape: str = USUAL_SHAPE  # a key of SHAPES
     only: str = ""  # a key of KINDS: no other cells change, and these do whether `over_walls` or not
     spray: int = 0  # 0, or a number that picks a few of the cells: the others stay
     colour: str = AMBER  # of sand: one of DYES
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Draw:
     """A figure between two places (column, row), in cells: those that hold its opposite corners."""
 
@@ -49,7 +50,7 @@ class Draw:
     colour: str = AMBER  # of sand: one of DYES
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Fill:
     """Gives a material to the cell at a place (column, row), and to all that touch it through others of its kind."""
 
@@ -58,19 +59,19 @@ class Fill:
     colour: str = AMBER  # of sand: one of DYES
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Flip:
     """Turns the lattice over."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Turn:
     """Turns the table: the lattice goes round by 90 degrees, clockwise, so many times."""
 
     quarters: int  # 1, 2 or 3
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Reshape:
     """Puts a glass in place of all walls, and pours the sand into it; `refill`: fills it anew instead."""
 
@@ -78,26 +79,26 @@ class Reshape:
     refill: bool = False
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class SetFixtures:
     """Gives the world other taps and drains in place of those that it has."""
 
     fixtures: tuple  # of Fixture
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Clear:
     """Takes all sand away and leaves walls and fixtures."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class SetRule:
     """Changes how sand moves."""
 
     rule: Rule
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Load:
     """Puts a scene in place of the world."""
 

@@ -29,7 +29,7 @@ class Act:
         self.at = at  # iterations since the session began, no fewer than those of the act before
         self.before = before  # None for the root, which is no act
         self.join = join
-        self.snapshots = []  # moments kept between this act and the next
+        self.snapshots = ()  # moments kept between this act and the next; a list once there are any
 
 
 class History:

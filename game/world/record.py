@@ -8,6 +8,7 @@ from game.world.action import (
     KINDS,
     MATERIALS,
     SHAPES,
+    USUAL_SHAPE,
     Clear,
     Draw,
     Fill,
@@ -121,7 +122,7 @@ def decode(table, known):
 def _brush(paint):
     values = {"material": paint.material, "diameter": paint.diameter}
     values |= {"over_walls": True} if paint.over_walls else {}
-    values |= {"shape": paint.shape} if paint.shape != Paint.shape else {}
+    values |= {"shape": paint.shape} if paint.shape != USUAL_SHAPE else {}
     values |= {"only": paint.only} if paint.only else {}
     return values | ({"spray": paint.spray} if paint.spray else {}) | _colour(paint)
 
@@ -194,7 +195,7 @@ def _decode_brush(table):
         "material": table.choice("material", tuple(MATERIALS)),
         "diameter": table.number("diameter", knob.BRUSH),
         "over_walls": _flag(table, "over_walls"),
-        "shape": table.choice("shape", tuple(SHAPES), Paint.shape),
+        "shape": table.choice("shape", tuple(SHAPES), USUAL_SHAPE),
         "only": table.choice("only", tuple(KINDS)) if "only" in table else "",
         "spray": table.number("spray", SPRAY, SPRAY.default),
         "colour": _decode_colour(table),

@@ -70,6 +70,8 @@ class Shelf:
         self.bytes += self._cost(snapshot)
         self._kept[snapshot] = None
         self._walls.setdefault(id(snapshot.walls), [snapshot.walls, 0])[1] += 1
+        if not act.snapshots:
+            act.snapshots = []
         act.snapshots.append(snapshot)
 
     def fit(self, budget, line):
