@@ -70,6 +70,13 @@ def test_sand_under_a_tap_has_no_end_until_nothing_has_room():
     assert not ending.endless and neck.grains_above(session.world) > 0 and at_rest(session.world, session.rule)
 
 
+def test_with_a_tap_the_ending_is_the_last_change_above_the_neck():
+    session = Session(scene_of(GLASS))
+    session.do(SetFixtures((Fixture(TAP, 22, 20, every=7),)))
+    ending = find_ending(session.timeline.course())
+    assert watched(session) == ending.at
+
+
 def test_a_search_that_is_not_wanted_stops():
     with pytest.raises(Cancelled):
         find_ending(Session(scene_of(GLASS)).timeline.course(), cancelled=lambda: True)

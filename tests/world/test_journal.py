@@ -297,3 +297,17 @@ def test_what_is_no_journal_is_refused(folder):
     with pytest.raises(JournalError, match="no such file"):
         Journal.resume(folder / "none")
     assert Recording(SCENES[0], 0).problem is None
+
+
+def test_frames_in_which_nothing_is_done_are_noted_once_a_second(monkeypatch):
+    now_s = [100.0]
+    monkeypatch.setattr(journals.time, "monotonic", lambda: now_s[0])
+    session = session_with_journal()
+    path, sizes = session.journal.path, []
+    for _ in range(3):
+        now_s[0] += journals.WAIT_S
+        for _ in range(20):
+            session.frame(FRAME_NS)
+        sizes.append(path.stat().st_size)
+    lines = path.read_bytes().count(b"\n")
+    assert lines == 1 + 3 and sizes == sorted(set(sizes))

@@ -209,3 +209,12 @@ def test_whatever_a_photo_is_called_sessions_and_pictures_of_it_can_be_read(tmp_
     recording = load_replay(tmp_path / "some.sandglass")
     assert recording.problem is None and len(recording.entries) == 2
     assert load_picture(saved(tmp_path, session)).scene.title == scene.title
+
+
+def test_a_scene_that_was_saved_as_a_jpeg_is_still_walls_and_sand(tmp_path):
+    world = SCENES[1].world()
+    cells = np.kron(np.asarray(Image.open(saved(tmp_path)).convert("RGB")), np.ones((8, 8, 1), np.uint8))
+    Image.fromarray(cells).save(tmp_path / "sent.jpg", quality=97, subsampling=0)
+    scene, _ = load_picture(tmp_path / "sent.jpg")
+    assert scene.shape == cells.shape[:2]
+    assert (scene.sand[4::8, 4::8] == world.sand).all() and (scene.walls[4::8, 4::8] == world.walls).all()

@@ -448,3 +448,10 @@ def test_no_scene_has_more_fixtures_than_a_session_can_tell_of(tmp_path):
     (tmp_path / "taps.toml").write_text(f"width = 60\nheight = 40\n{taps}")
     with pytest.raises(SceneError, match=f"tap and drain: found {MOST + 1} fixtures, wanted at most {MOST}"):
         load_scene(tmp_path / "taps.toml")
+
+
+def test_the_neck_is_in_the_middle_of_the_glass_wherever_that_stands(tmp_path):
+    shape = '[[shape]]\nkind = "hourglass"\ny = 20\nheight = 60\nwidth = 40\n'
+    (tmp_path / "low.toml").write_text(f"width = 40\nheight = 100\n{shape}")
+    scene, half = load_scene(tmp_path / "low.toml"), load_scene(tmp_path / "low.toml", (20, 50))
+    assert (scene.neck, half.neck) == (50, 25)
