@@ -44,18 +44,18 @@ def find_ending(course, cancelled=None, most_iterations=MOST_ITERATIONS, most_ns
     """Return the Ending of a Course, which is used up.
 
     Grains that stick for ever do not count: the ending is the last iteration at which anything changes above the neck
-    or, where there is no neck, anywhere. cancelled(), if given, is asked every few milliseconds; once it returns true,
-    Cancelled is raised.
+    or, where there is no neck, anywhere; the last act still to come is one that does. cancelled(), if given, is asked
+    every few milliseconds; once it returns true, Cancelled is raised.
     """
     start, work_ns = course.now, course.moment.work_ns
     if any(each.kind == TAP for each in course.world.fixtures):
         most_ns = min(most_ns, MOST_NS_BY_TAPS)
     if course.last_act is not None:
         _run_in_batches(course, course.last_act, cancelled)
-    neck = find_neck(course.world)
+    last_act, neck = course.now, find_neck(course.world)
     sign = _sign(neck)
     before, left, endless = _last_change(course, sign, cancelled, start + most_iterations, work_ns + most_ns)
-    at = start if before is None else _exactly(before, course.now, sign, left)
+    at = last_act if before is None else _exactly(before, course.now, sign, left)
     spent_ns = course.moment.work_ns - work_ns
     return Ending(start, at, neck is not None, endless, spent_ns / max(1, course.now - start))
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from game import Rule, advance, load_scene
-from game.world.action import Flip, Paint, SetFixtures, SetRule
+from game.world.action import Clear, Flip, Paint, SetFixtures, SetRule
 from game.world.ending import Cancelled, at_rest, find_ending, first_moment
 from game.world.fixture import TAP, Fixture
 from game.world.maker import scene_of
@@ -74,7 +74,17 @@ def test_with_a_tap_the_ending_is_the_last_change_above_the_neck():
     session = Session(scene_of(GLASS))
     session.do(SetFixtures((Fixture(TAP, 22, 20, every=7),)))
     ending = find_ending(session.timeline.course())
-    assert watched(session) == ending.at
+    assert ending.at == watched(session)
+
+
+def test_nothing_ends_before_the_last_act_that_is_still_to_come():
+    session = Session(scene_of(GLASS))
+    session.do(Clear())
+    session.do(SetFixtures((Fixture(TAP, 22, 20, every=60),)))
+    session.timeline.run(400)
+    session.do(SetFixtures(()))
+    session.seek(1)
+    assert find_ending(session.timeline.course()).at == 400
 
 
 def test_a_search_that_is_not_wanted_stops():
