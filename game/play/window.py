@@ -5,6 +5,7 @@ import os
 import statistics
 import sys
 import time
+import warnings
 from functools import cache
 
 import numpy as np
@@ -14,9 +15,7 @@ from game.play import icon
 
 SMALLEST = (640, 480)
 ROOM_FOR_DECORATION = (24, 80)  # of the desktop, left to the title bar and panels of others
-SLOW_FLIP_MS = (
-    3.0  # a flip that takes longer goes through software OpenGL: writing to the window directly is far cheaper
-)
+SLOW_FLIP_MS = 3.0  # a flip that takes longer goes through software OpenGL: writing to the window is far cheaper
 TITLE = "Sandglass"
 NAME = "sandglass"
 INVISIBLE = ("offscreen", "dummy")  # drivers that SDL falls back on where there is no screen
@@ -62,10 +61,12 @@ class Window:
 
     def toggle_fullscreen(self):
         """Fill the screen, or go back to the window as it was."""
-        if not self.fullscreen:
-            self._windowed_size = self.size
         self.fullscreen = not self.fullscreen
-        self._open()
+        window = _of_sdl()
+        if self.fullscreen:
+            window.set_fullscreen(True)  # as the desktop is; SDL knows where the window was and how large
+        else:
+            window.set_windowed()
 
     def set_title(self, title):
         """Show a title, also while the window is minimised."""
@@ -91,10 +92,12 @@ class Window:
             pygame.display.update(rects)
 
     def _open(self):
-        flags = pygame.FULLSCREEN if self.fullscreen else pygame.RESIZABLE
         pygame.display.set_icon(icon.load())
-        pygame.display.set_mode((0, 0) if self.fullscreen else self._windowed_size, flags, 32)
+        pygame.display.set_mode(self._windowed_size, pygame.RESIZABLE, 32)
         pygame.display.set_caption(self._title)
+        if self.fullscreen:
+            _of_sdl().set_fullscreen(True)
+            pygame.event.pump()  # the pixels are as many as the screen's from here on
 
     def _fitting(self, size):
         room = room_on(pygame.display.get_desktop_sizes()[0])
@@ -116,6 +119,12 @@ class Window:
         start = time.perf_counter()
         self.show()
         return (time.perf_counter() - start) * 1e3
+
+
+def _of_sdl():
+    """Return the window as SDL knows it; to open another in its place would lose its size to some window managers."""
+    with warnings.catch_warnings(action="ignore", category=DeprecationWarning):
+        return pygame.Window.from_display_module()
 
 
 @cache

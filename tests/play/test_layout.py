@@ -134,3 +134,14 @@ def back(player):
     if player.toy.window.fullscreen:
         player.toy.commands.toggle_fullscreen()
         player.frame()
+
+
+def test_full_screen_and_back_leaves_the_window_as_it_was(player):
+    size = player.toy.window.size
+    for _ in range(2):
+        player.key(pygame.K_F11)
+        player.wait(2)
+        assert player.toy.window.size == pygame.display.get_desktop_sizes()[0] != size
+        player.key(pygame.K_F11)
+        player.wait(2)
+        assert player.toy.window.size == size
