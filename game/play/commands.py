@@ -1,5 +1,7 @@
 """The commands: what a player can tell the toy by a key or a button of the panel."""
 
+import time
+
 from game.play import lean
 from game.play.timer import RUNNING
 from game.play.tools import SIZES
@@ -8,6 +10,7 @@ from game.world.action import Clear, Load
 from game.world.comparison import Comparison, present
 from game.world.duration import spell_left
 
+TWICE_S = 3.0  # within which Esc has to come again to quit; as long as the notice of it is read
 FASTER = 2**0.5  # what one press of + does to the speed
 
 
@@ -16,6 +19,7 @@ class Commands:
 
     def __init__(self, toy):
         self.toy = toy
+        self._warned_s = -TWICE_S  # when the player was told how to quit
 
     # --- time ---
 
@@ -230,15 +234,26 @@ class Commands:
         self.toy.help.toggle()
 
     def escape(self):
-        """Let go of what is being drawn, or close what is open; with nothing open, quit."""
-        if self.toy.brush.painting:
-            self.toy.brush.let_go()
-        elif self.toy.help.shown:
-            self.toggle_help()
-        elif self.toy.window.fullscreen:
-            self.toggle_fullscreen()
-        else:
-            self.toy.running = False
+        """Let go of what is being drawn, or close what is open; with nothing open quit, if it is said twice."""
+        toy = self.toy
+        closing = (
+            (toy.brush.painting, toy.brush.let_go),
+            (toy.help.shown, self.toggle_help),
+            (toy.cursor.on, self.toggle_cursor),
+            (toy.plots.shown, self.toggle_plots),
+            (toy.forecasting.shown, self.toggle_forecast),
+            (isinstance(toy.session, Comparison), self.compare),
+            (toy.window.fullscreen, self.toggle_fullscreen),
+            (time.monotonic() - self._warned_s > TWICE_S, self._warn_of_end),
+        )
+        next((close for is_open, close in closing if is_open), self._quit)()
+
+    def _warn_of_end(self):
+        self._warned_s = time.monotonic()
+        self.toy.notices.say("Esc once more quits.")
+
+    def _quit(self):
+        self.toy.running = False
 
     def _change_speed(self, factor):
         clock = self.toy.session.clock

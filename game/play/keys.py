@@ -102,7 +102,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("M", (pygame.K_m,), "toggle_sound", "sound of the sand"),
         Key("F11", (pygame.K_F11,), "toggle_fullscreen", "full screen"),
         Key("F1 or ?", (pygame.K_F1, pygame.K_QUESTION), "toggle_help", "this page"),
-        Key("Esc", (pygame.K_ESCAPE,), "escape", "close, leave, quit"),
+        Key("Esc", (pygame.K_ESCAPE,), "escape", "close, leave; twice: quit"),
     ),
 }
 KEYS = tuple(key for keys in GROUPS.values() for key in keys)

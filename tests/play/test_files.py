@@ -310,6 +310,7 @@ def test_leaving_ends_the_journal(player):
     player.toy.recovery.start()
     player.click(player.pixel(20, 20))
     player.key(pygame.K_ESCAPE)
+    player.key(pygame.K_ESCAPE)
     player.toy.close()
     assert not player.toy.running and next(journal.unfinished(), None) is None
 

@@ -6,6 +6,7 @@ import pytest
 
 from game import Rule
 from game.core.pixels import LOOKS, WALL
+from game.play import commands
 from game.world.action import SetRule
 from game.world.scene import load_scene
 from game.world.session import Session
@@ -138,13 +139,27 @@ def test_plus_and_minus_change_the_speed(glass):
     assert glass.session.clock.speed == pytest.approx(before)
 
 
-def test_escape_closes_the_help_and_then_quits(glass):
-    glass.key(pygame.K_F1)
-    assert glass.toy.help.shown
+def test_escape_closes_what_is_open_and_quits_when_it_is_pressed_twice(glass):
+    toy, own = glass.toy, glass.session
+    for command in ("toggle_help", "toggle_cursor", "toggle_plots", "toggle_forecast", "compare", "toggle_fullscreen"):
+        getattr(toy.commands, command)()
+        glass.wait(2)
+    for _ in range(7):
+        assert toy.running
+        glass.key(pygame.K_ESCAPE)
+    assert not (toy.help.shown or toy.cursor.on or toy.plots.shown or toy.forecasting.shown or toy.window.fullscreen)
+    assert toy.session is own and toy.running
     glass.key(pygame.K_ESCAPE)
-    assert not glass.toy.help.shown and glass.toy.running
-    glass.key(pygame.K_ESCAPE)
-    assert not glass.toy.running
+    assert not toy.running
+
+
+def test_one_escape_alone_does_not_quit(glass, monkeypatch):
+    now_s = [50.0]
+    monkeypatch.setattr(commands.time, "monotonic", lambda: now_s[0])
+    for _ in range(3):
+        now_s[0] += commands.TWICE_S + 0.1
+        glass.key(pygame.K_ESCAPE)
+        assert glass.toy.running
 
 
 def test_the_p_slider_sets_both_topples(glass):
