@@ -286,7 +286,7 @@ class Toy:
 
     def _renew_theme(self):
         """Keep the colours and the UI scale that were asked for, as far as the window leaves room for it."""
-        wanted = panel.fitting_scale(self.settings["ui_scale"], self.window.size[0]), self.colours
+        wanted = panel.fitting_scale(self.settings["ui_scale"], self.window.size), self.colours
         if wanted != (self.theme.scale, self.theme.colours):
             self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.theme_of(*wanted)
 

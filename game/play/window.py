@@ -5,6 +5,8 @@ import os
 import statistics
 import sys
 import time
+import warnings
+from contextlib import suppress
 from functools import cache
 
 import numpy as np
@@ -13,6 +15,7 @@ import pygame
 from game.play import icon
 
 SMALLEST = (640, 480)
+LEAST_SURFACE = (320, 240)  # where a window is made smaller all the same, what it cannot show is drawn beside it
 ROOM_FOR_DECORATION = (24, 80)  # of the desktop, left to the title bar and panels of others
 SLOW_FLIP_MS = (
     3.0  # a flip that takes longer goes through software OpenGL: writing to the window directly is far cheaper
@@ -34,7 +37,7 @@ class Window:
 
         Raises NoDisplayError if there is no display.
         """
-        self._title = TITLE
+        self._title, self._beside = TITLE, None
         try:
             _start_display()
             self._windowed_size = self._fitting(size)
@@ -47,12 +50,22 @@ class Window:
 
     @property
     def surface(self):
-        """The window's pixels, as pygame draws on them."""
-        return pygame.display.get_surface()
+        """The window's pixels, as pygame draws on them.
+
+        Of a window smaller than LEAST_SURFACE they are those that it shows a part of: nothing that draws lacks room.
+        """
+        shown = pygame.display.get_surface()
+        size = tuple(max(sides) for sides in zip(shown.get_size(), LEAST_SURFACE, strict=True))
+        if size == shown.get_size():
+            self._beside = None
+            return shown
+        if self._beside is None or self._beside.get_size() != size:
+            self._beside = pygame.Surface(size, 0, shown)
+        return self._beside
 
     @property
     def size(self):
-        """(width, height) in pixels."""
+        """(width, height) of `surface` in pixels."""
         return self.surface.get_size()
 
     @property
@@ -85,6 +98,9 @@ class Window:
 
     def show(self, rects=None):
         """Bring what was drawn in `rects`, or anywhere, to the screen."""
+        if self._beside and rects != []:
+            pygame.display.get_surface().blit(self._beside, (0, 0))
+            rects = None
         if rects is None:
             pygame.display.flip()
         elif rects:
@@ -95,6 +111,7 @@ class Window:
         pygame.display.set_icon(icon.load())
         pygame.display.set_mode((0, 0) if self.fullscreen else self._windowed_size, flags, 32)
         pygame.display.set_caption(self._title)
+        _bar_smaller_windows()
 
     def _fitting(self, size):
         room = room_on(pygame.display.get_desktop_sizes()[0])
@@ -116,6 +133,13 @@ class Window:
         start = time.perf_counter()
         self.show()
         return (time.perf_counter() - start) * 1e3
+
+
+def _bar_smaller_windows():
+    """Ask the window manager to keep the window at least SMALLEST; not all of them do."""
+    with warnings.catch_warnings(), suppress(AttributeError, pygame.error):
+        warnings.simplefilter("ignore", DeprecationWarning)  # pygame has no other way to the window of its display yet
+        pygame.Window.from_display_module().minimum_size = SMALLEST
 
 
 @cache
