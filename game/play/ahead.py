@@ -46,8 +46,6 @@ class Ahead:
 
     def hear(self, event):
         """Take in an event and return whether it was meant for this."""
-        if event.type == pygame.WINDOWFOCUSLOST and self.held:
-            self.stop()
         if event.type not in (pygame.KEYDOWN, pygame.KEYUP):
             return False
         if event.key == pygame.K_RIGHT and not event.mod & ~pygame.KMOD_NUM & ~pygame.KMOD_CAPS:
@@ -57,6 +55,12 @@ class Ahead:
             self.stop()
             return True
         return False
+
+    def let_go(self):
+        """End what lasts while a key or the panel's button is held."""
+        self._by_button = False
+        if self.held:
+            self.stop()
 
     def hold(self, down):
         """Hear whether the panel's button is down."""

@@ -38,7 +38,6 @@ class Gallery:
         if self.shown and self.shelf is self.shelves[number]:
             self.close()
         else:
-            self._toy.brush.let_go()
             self._look_at(self.shelves[number])
 
     def close(self):

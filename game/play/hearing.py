@@ -34,8 +34,7 @@ class Hearing:
         elif event.type == pygame.MOUSEWHEEL:
             toy.brush.resize(event.y)
         elif event.type == pygame.WINDOWFOCUSLOST:
-            toy.brush.let_go()
-            toy.time_bar.hear(event)
+            toy.let_go()
             self._down.clear()
         elif event.type in (pygame.WINDOWEXPOSED, pygame.WINDOWSIZECHANGED):
             toy.lay_out_anew()

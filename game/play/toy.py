@@ -73,6 +73,7 @@ class Toy:
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
         self._now_s = 0.0  # when this frame is
         self._has_waited = False  # in this frame, for the moment that the session should be at
+        self._heard = None, True  # the page that was open in the last frame, and whether the panel was shown
         self._size = None  # of the window and the lattice, as laid out, and what they look like
         self._gather_helpers()
         if p is not None:
@@ -146,6 +147,13 @@ class Toy:
     def lay_out_anew(self):
         """Have everything laid out and drawn anew."""
         self._size = None
+
+    def let_go(self):
+        """Let go of all that a key or a button holds: nobody may hear it come up."""
+        cards = [card.ui for card in (self.question, self.photo) if card.shown]
+        holders = self.brush, self.time_bar, self.camera, self.rewind, self.ahead, self.stage, self.panel.ui
+        for each in (*holders, *cards):
+            each.let_go()
 
     def turn_over(self, quarters=2):
         """Turn the lattice by quarters, clockwise, and let its old picture turn, unless motion is to be reduced."""
@@ -231,6 +239,7 @@ class Toy:
         events = self.cursor.listen(self._left_by_overlays(events, now_s, mouse_pos))
         for event in self._lay_out_panel(events, now_s, mouse_pos):
             self.hearing.hear(event)
+        self._let_go_of_hidden()
         for act, join in self.brush.hold():
             self.do(act, join)
         self.hearing.follow(mouse_pos)
@@ -259,6 +268,12 @@ class Toy:
         if not self.panel_shown or self.page:
             return events
         return self.panel.lay_out(self.layout.panel, events, now_s, mouse_pos, self)
+
+    def _let_go_of_hidden(self):
+        """Let go of what is held when a page opens or the panel goes, since what comes up is no longer heard."""
+        if self._heard != (self.page, self.panel_shown):
+            self._heard = self.page, self.panel_shown
+            self.let_go()
 
     def _tell(self, now_s):
         """Show what there is to say: trouble with the journal, and lines that come and go."""
