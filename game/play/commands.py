@@ -71,8 +71,8 @@ class Commands:
 
     def flip(self):
         """Turn the glass over: at once in the lattice, and in half a second on the screen."""
-        self.toy.turn_over()
-        self.toy.timer.turned()
+        if self.toy.turn_over():
+            self.toy.timer.turned()
 
     def turn(self, quarters):
         """Turn the table by quarters, clockwise."""

@@ -156,14 +156,18 @@ class Toy:
             each.let_go()
 
     def turn_over(self, quarters=2):
-        """Turn the lattice by quarters, clockwise, and let its old picture turn, unless motion is to be reduced."""
-        if self.stage.turn:
-            return
+        """Turn the lattice by quarters, clockwise, and let its old picture turn, unless motion is to be reduced.
+
+        Return whether it turned: not while it does so already.
+        """
+        if self.stage.turn or not self.is_there():
+            return False
         self.brush.let_go()
         if not self.settings["reduced_motion"] and not self.page:
             self.stage.start_turn(self._now_s, quarters)
         self.camera.turn_over(quarters)
         self.do(Flip() if quarters == 2 else Turn(quarters))
+        return True
 
     def load(self, name):
         """Put the shipped scene of that name in place of this one."""
