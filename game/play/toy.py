@@ -262,9 +262,14 @@ class Toy:
         return bool(changed)
 
     def _left_by_overlays(self, events, now_s, mouse_pos):
-        """Return the events that nothing which lies over the sand has taken."""
-        for each in (*self.pages, *self.overlays[::-1]):
-            if each.shown:
+        """Return the events that nothing which lies over the sand has taken; what a page hides hears none."""
+        page = self.page
+        if page:
+            events = page.listen(events, now_s, mouse_pos)
+        for each in self.overlays[::-1]:
+            if each.shown and page:
+                each.listen([], now_s, None)
+            elif each.shown:
                 events = each.listen(events, now_s, mouse_pos)
         return events
 
