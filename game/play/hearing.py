@@ -14,7 +14,8 @@ class Hearing:
         # what hears before the keys do: `hear(event)` says whether the event was its own
         self.first = [toy.rewind, toy.camera]
         self.pointer = None  # (x, y) in pixels, while it is over the sand or paints
-        self._down = set()  # the keys that are held
+        self.repeats = False  # the key that gives a command just now has been held for a while
+        self._down = {}  # the keys that are held, and the session that each went down in
 
     def hear(self, event):
         """Let the part that an event is meant for act on it."""
@@ -24,13 +25,9 @@ class Hearing:
         elif any(each.hear(event) for each in self.first):
             toy.brush.let_go()
         elif event.type == pygame.KEYDOWN:
-            command = keys.command(event)
-            if command and (event.key not in self._down or command in keys.REPEATING):
-                name, *words = command.split()
-                getattr(toy.commands, name)(*words)
-            self._down.add(event.key)
+            self._hear_key(event)
         elif event.type == pygame.KEYUP:
-            self._down.discard(event.key)
+            self._down.pop(event.key, None)
         elif event.type == pygame.MOUSEWHEEL:
             toy.brush.resize(event.y)
         elif event.type == pygame.WINDOWFOCUSLOST:
@@ -42,6 +39,16 @@ class Hearing:
             toy.files.open(event.file)
         else:
             self._hear_pointer(event)
+
+    def _hear_key(self, event):
+        """Give a key's command, and while it is held some again, but not in another session than it went down in."""
+        toy, command = self._toy, keys.command(event)
+        self.repeats = event.key in self._down
+        began_here = self._down.setdefault(event.key, toy.session) is toy.session
+        if command and (not self.repeats or (began_here and command in keys.REPEATING)):
+            name, *words = command.split()
+            getattr(toy.commands, name)(*words)
+        self.repeats = False
 
     def follow(self, mouse_pos):
         """Note where the pointer is in this frame."""
