@@ -20,14 +20,14 @@ class Hearing:
     def hear(self, event):
         """Let the part that an event is meant for act on it."""
         toy, event = self._toy, self._toy.stage.own(event)
+        if event.type == pygame.KEYUP:
+            self._down.pop(event.key, None)
         if event.type == pygame.QUIT:
             toy.running = False
         elif any(each.hear(event) for each in self.first):
             toy.brush.let_go()
         elif event.type == pygame.KEYDOWN:
             self._hear_key(event)
-        elif event.type == pygame.KEYUP:
-            self._down.pop(event.key, None)
         elif event.type == pygame.MOUSEWHEEL:
             toy.brush.resize(event.y)
         elif event.type == pygame.WINDOWFOCUSLOST:
@@ -49,6 +49,10 @@ class Hearing:
             name, *words = command.split()
             getattr(toy.commands, name)(*words)
         self.repeats = False
+
+    def has_down(self, key):
+        """Return whether a key is held that went down for a command."""
+        return key in self._down
 
     def follow(self, mouse_pos):
         """Note where the pointer is in this frame."""
