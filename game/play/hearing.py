@@ -69,8 +69,7 @@ class Hearing:
         elif not going_on and _is_press(event) and toy.layout.hud.collidepoint(event.pos):
             toy.figures.toggle()
         elif going_on or on_sand:
-            for act, join in toy.brush.hear(event, toy.stage.view, toy.session.world):
-                toy.do(act, join)
+            toy.paint(toy.brush.hear(event, toy.stage.view, toy.session.world))
 
 
 def _is_press(event):

@@ -115,9 +115,17 @@ class Toy:
     # --- what the parts ask of it ---
 
     def do(self, action, join=False):
-        """Let a player's act happen; `join`: undo takes it back together with the act before."""
-        if self.is_there():
-            self.session.do(action, join)
+        """Let a player's act happen; return whether it changed anything.
+
+        join: undo takes it back together with the act before.
+        """
+        return self.is_there() and self.session.do(action, join)
+
+    def paint(self, acts):
+        """Let the acts of the brush's gesture happen, and have it know whether any changed something."""
+        for act, join in acts:
+            if self.do(act, join):
+                self.brush.acted = self.brush.painting
 
     @property
     def colours(self):
@@ -244,8 +252,7 @@ class Toy:
         for event in self._lay_out_panel(events, now_s, mouse_pos):
             self.hearing.hear(event)
         self._let_go_of_hidden()
-        for act, join in self.brush.hold():
-            self.do(act, join)
+        self.paint(self.brush.hold())
         self.hearing.follow(mouse_pos)
         self.figures.follow(mouse_pos, now_s)
         self.stepping.step(elapsed_ns, now_s)
