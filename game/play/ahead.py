@@ -46,17 +46,22 @@ class Ahead:
 
     def hear(self, event):
         """Take in an event and return whether it was meant for this."""
-        if event.type == pygame.WINDOWFOCUSLOST and self.held:
-            self.stop()
         if event.type not in (pygame.KEYDOWN, pygame.KEYUP):
             return False
-        if event.key == pygame.K_RIGHT and not event.mod & ~pygame.KMOD_NUM & ~pygame.KMOD_CAPS:
+        alone = event.type == pygame.KEYUP or not event.mod & ~pygame.KMOD_NUM & ~pygame.KMOD_CAPS
+        if event.key == pygame.K_RIGHT and alone:
             return self._hear_key(event)
         if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and self._mode not in (None, HELD):
             self._toy.notices.say(f"Stopped after {self._toy.session.now - self._start:,} iterations.")
             self.stop()
             return True
         return False
+
+    def let_go(self):
+        """End what lasts while a key or the panel's button is held."""
+        self._by_button = False
+        if self.held:
+            self.stop()
 
     def hold(self, down):
         """Hear whether the panel's button is down."""
@@ -122,7 +127,7 @@ class Ahead:
             if was:
                 self.stop()
             return was
-        if self._toy.panel.ui.wants_keys:
+        if self._toy.panel.ui.wants_keys or self._toy.hearing.has_down(pygame.K_RIGHT):
             return False
         if self._mode is None:
             self._begin(HELD, None)

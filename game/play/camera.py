@@ -79,6 +79,12 @@ class Camera:
         column, row = view.place(x, y)
         self._show(view.cell, (view.shape[1] - column, view.shape[0] - row), x, y)
 
+    def let_go(self):
+        """Forget what is held: nobody may hear it come up."""
+        self._drag = self._space = self._pinch = None
+        self._fingers.clear()
+        self._swallows = self._ctrl = False
+
     def hear(self, event):
         """Take in an event and return whether it was the camera's."""
         hears = {
@@ -91,7 +97,6 @@ class Camera:
             pygame.FINGERDOWN: self._finger_down,
             pygame.FINGERMOTION: self._finger_motion,
             pygame.FINGERUP: self._finger_up,
-            pygame.WINDOWFOCUSLOST: self._let_go,
         }.get(event.type)
         return bool(hears and hears(event))
 
@@ -152,13 +157,6 @@ class Camera:
         if not dragged and not self._drag:
             self._toy.commands.pause()
         return True
-
-    def _let_go(self, _event):
-        """Forget what is held: the window will not hear it let go."""
-        self._drag = self._space = self._pinch = None
-        self._fingers.clear()
-        self._swallows = self._ctrl = False
-        return False
 
     # --- fingers ---
 

@@ -60,9 +60,14 @@ class Commands:
             self.toy.panel.timer.open = True
 
     def undo(self):
-        """Take back the last act; where a session has none left, go back to the one it was opened over."""
+        """Take back the last act; where a session has none left, go back to the one it was opened over.
+
+        Only a key pressed anew does that, not one held.
+        """
         toy = self.toy
-        if not toy.session.undo(toy.undo_goes_back, toy.SEEK_NS) and not toy.leave_session():
+        if toy.session.undo(toy.undo_goes_back, toy.SEEK_NS):
+            return
+        if toy.hearing.repeats or not toy.leave_session():
             toy.notices.say("There is nothing to take back.")
 
     def redo(self):
@@ -75,8 +80,8 @@ class Commands:
 
     def flip(self):
         """Turn the glass over: at once in the lattice, and in half a second on the screen."""
-        self.toy.turn_over()
-        self.toy.timer.turned()
+        if self.toy.turn_over():
+            self.toy.timer.turned()
 
     def turn(self, quarters):
         """Turn the table by quarters, clockwise."""

@@ -56,7 +56,7 @@ class Cursor:
         if event.type == pygame.KEYUP:
             if key != self._pressed:
                 return False
-            self._do(self._toy.brush.release(self.place))
+            self._toy.paint(self._toy.brush.release(self.place))
             self._pressed = None
             return True
         if self._toy.panel.ui.focus.by_keyboard or event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META):
@@ -74,19 +74,15 @@ class Cursor:
         column, row = (here + cells * step for here, step in zip(self._cell, way, strict=True))
         self._cell = min(max(column, 0), width - 1), min(max(row, 0), height - 1)
         if self._pressed:
-            self._do(self._toy.brush.move(self.place))
+            self._toy.paint(self._toy.brush.move(self.place))
 
     def _press(self, key):
         brush = self._toy.brush
         if self._pressed is None and not brush.painting:
             self._pressed = key
-            self._do(brush.press(self.place, self._toy.session.world, key == ERASE))
+            self._toy.paint(brush.press(self.place, self._toy.session.world, key == ERASE))
 
     def _let_go(self):
         if self._pressed:
             self._toy.brush.let_go()
         self._pressed = None
-
-    def _do(self, acts):
-        for act, join in acts:
-            self._toy.do(act, join)

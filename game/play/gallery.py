@@ -38,7 +38,6 @@ class Gallery:
         if self.shown and self.shelf is self.shelves[number]:
             self.close()
         else:
-            self._toy.brush.let_go()
             self._look_at(self.shelves[number])
 
     def close(self):
@@ -175,7 +174,7 @@ class Gallery:
 
     def _point(self, event):
         if event.type == pygame.MOUSEWHEEL:
-            self._scroll(self._top - (1 if event.y > 0 else -1))
+            self._scroll(self._top - (event.y > 0) + (event.y < 0))
             return
         under = next((number for number, rect in self._tiles() if rect.collidepoint(event.pos)), None)
         if under is not None and event.type != pygame.MOUSEBUTTONUP:

@@ -14,28 +14,24 @@ class Hearing:
         # what hears before the keys do: `hear(event)` says whether the event was its own
         self.first = [toy.rewind, toy.camera]
         self.pointer = None  # (x, y) in pixels, while it is over the sand or paints
-        self._down = set()  # the keys that are held
+        self.repeats = False  # the key that gives a command just now has been held for a while
+        self._down = {}  # the keys that are held, and the session that each went down in
 
     def hear(self, event):
         """Let the part that an event is meant for act on it."""
         toy, event = self._toy, self._toy.stage.own(event)
+        if event.type == pygame.KEYUP:
+            self._down.pop(event.key, None)
         if event.type == pygame.QUIT:
             toy.running = False
         elif any(each.hear(event) for each in self.first):
             toy.brush.let_go()
         elif event.type == pygame.KEYDOWN:
-            command = keys.command(event)
-            if command and (event.key not in self._down or command in keys.REPEATING):
-                name, *words = command.split()
-                getattr(toy.commands, name)(*words)
-            self._down.add(event.key)
-        elif event.type == pygame.KEYUP:
-            self._down.discard(event.key)
+            self._hear_key(event)
         elif event.type == pygame.MOUSEWHEEL:
             toy.brush.resize(event.y)
         elif event.type == pygame.WINDOWFOCUSLOST:
-            toy.brush.let_go()
-            toy.time_bar.hear(event)
+            toy.let_go()
             self._down.clear()
         elif event.type in (pygame.WINDOWEXPOSED, pygame.WINDOWSIZECHANGED):
             toy.lay_out_anew()
@@ -43,6 +39,20 @@ class Hearing:
             toy.files.open(event.file)
         else:
             self._hear_pointer(event)
+
+    def _hear_key(self, event):
+        """Give a key's command, and while it is held some again, but not in another session than it went down in."""
+        toy, command = self._toy, keys.command(event)
+        self.repeats = event.key in self._down
+        began_here = self._down.setdefault(event.key, toy.session) is toy.session
+        if command and (not self.repeats or (began_here and command in keys.REPEATING)):
+            name, *words = command.split()
+            getattr(toy.commands, name)(*words)
+        self.repeats = False
+
+    def has_down(self, key):
+        """Return whether a key is held that went down for a command."""
+        return key in self._down
 
     def follow(self, mouse_pos):
         """Note where the pointer is in this frame."""
@@ -59,8 +69,7 @@ class Hearing:
         elif not going_on and _is_press(event) and toy.layout.hud.collidepoint(event.pos):
             toy.figures.toggle()
         elif going_on or on_sand:
-            for act, join in toy.brush.hear(event, toy.stage.view, toy.session.world):
-                toy.do(act, join)
+            toy.paint(toy.brush.hear(event, toy.stage.view, toy.session.world))
 
 
 def _is_press(event):

@@ -6,6 +6,7 @@ import pygame
 
 CTRL = pygame.KMOD_CTRL | pygame.KMOD_META  # on a Mac, Cmd
 SHIFT = pygame.KMOD_SHIFT
+ALT_GR = pygame.KMOD_RALT | pygame.KMOD_MODE  # by which many a layout types brackets; Windows holds Ctrl down with it
 
 
 class Key(NamedTuple):
@@ -116,6 +117,8 @@ _BY_TEXT = {"?": "toggle_help", "+": "faster", "-": "slower", "[": "smaller_brus
 
 def command(event):
     """Return the command that a KEYDOWN event gives, or None."""
+    if event.mod & ALT_GR:
+        return _BY_TEXT.get(event.unicode)
     if event.mod & pygame.KMOD_ALT:
         return None
     ctrl, shift = CTRL if event.mod & CTRL else 0, SHIFT if event.mod & SHIFT else 0

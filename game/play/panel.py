@@ -13,6 +13,7 @@ from game.world.scene import scene_names
 
 WIDTH = 300  # pixels at scale 1
 NARROWEST = 240  # at scale 1: all words of the controls still fit
+LOWEST = 160  # at scale 1: height of a window in which sand, pages and cards still have room
 FAST = "Fast"  # the button that is held
 
 
@@ -107,9 +108,13 @@ class Panel:
         appearance.show(ui, toy.settings)
 
 
-def fitting_scale(ui_scale, window_width):
-    """Return the UI scale, smaller than wanted where the narrowest panel would take more than half of the window."""
-    return max(knob.UI_SCALE.low, min(ui_scale, window_width / (2 * NARROWEST)))
+def fitting_scale(ui_scale, window_size):
+    """Return the UI scale, smaller than wanted where the narrowest panel would take more than half of the window.
+
+    It is smaller as well where the window is too low.
+    """
+    width, height = window_size
+    return max(knob.UI_SCALE.low, min(ui_scale, width / (2 * NARROWEST), height / LOWEST))
 
 
 def area(theme, window_size):

@@ -125,6 +125,10 @@ class Panes:
             self._held = None
         return moved
 
+    def let_go(self):
+        """Forget in which pane a button is held."""
+        self._held = None
+
     def here(self, pos):
         """Return the place in the leading pane that a place in the window stands for."""
         if pos is None:

@@ -52,7 +52,8 @@ class Plots:
     def measured_row(self):
         """The row that parts above from below: the scene's, or what was set in its place."""
         scene, row = self._set_row or (None, 0)
-        return row if scene is self._toy.session.scene else self.own_row
+        rows = self._toy.session.world.shape[0]  # a quarter turn may have left fewer than there were
+        return min(row, rows) if scene is self._toy.session.scene else self.own_row
 
     @measured_row.setter
     def measured_row(self, row):

@@ -16,8 +16,6 @@ class Rewind:
 
     def hear(self, event):
         """Take in an event and return whether it was the rewind's."""
-        if event.type == pygame.WINDOWFOCUSLOST:
-            self.held = False
         if event.type not in (pygame.KEYDOWN, pygame.KEYUP):
             return False
         if event.key in (pygame.K_LSHIFT, pygame.K_RSHIFT):
@@ -28,6 +26,10 @@ class Rewind:
             self._fast = bool(event.mod & pygame.KMOD_SHIFT)
         self.held = event.type == pygame.KEYDOWN
         return True
+
+    def let_go(self):
+        """Let time run forward again."""
+        self.held = self._fast = False
 
     def goal(self, session, elapsed_ns):
         """Return the iteration that `session` is to be at after `elapsed_ns` of running back."""

@@ -39,6 +39,9 @@ class Stage:
         """Return an event as it is meant for this stage: as it is."""
         return event
 
+    def let_go(self):
+        """Let go of what is held: nothing is."""
+
     def here(self, pos):
         """Return the place on this stage that a place in the window stands for: itself."""
         return pos

@@ -39,10 +39,13 @@ class TimeBar:
             self.held = False
             self._x = event.pos[0]
         else:
-            if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWLEAVE):
-                self.held, self._hover = self.held and event.type == pygame.WINDOWLEAVE, False
+            self._hover = self._hover and event.type != pygame.WINDOWLEAVE
             return False
         return True
+
+    def let_go(self):
+        """Forget the pointer: nobody may hear it let go of the bar."""
+        self.held = self._hover = False
 
     def goal(self, session):
         """Return the iteration under the pointer."""

@@ -40,7 +40,8 @@ class Brush:
         self.every = knob.EVERY.default  # iterations from one grain of a new tap to the next
         self.edge_only = False  # rectangles and ellipses are drawn as their outline, as thick as the brush
         self._gesture = self._button = None
-        self._erasing = self._acted = False  # of the gesture: it erases whatever the material; it has acted
+        self.acted = False  # the gesture has changed something: whoever lets its acts happen says so
+        self._erasing = False  # the gesture erases whatever the material
         self._at = None  # where the gesture has come to, and whether it goes straight
         self._before_pick = "brush"
         self._sprays = 0
@@ -49,11 +50,6 @@ class Brush:
     def painting(self):
         """Whether a gesture is being made."""
         return self._gesture is not None
-
-    @property
-    def acted(self):
-        """Whether the gesture that is being made has changed anything yet."""
-        return self.painting and self._acted
 
     @property
     def by_mouse(self):
@@ -128,7 +124,7 @@ class Brush:
         """Begin the tool's gesture; `erase`: with nothing. A brush that goes `straight` draws a line."""
         tool = "brush" if erase and self.tool in ("pick", "tap", "drain") else self.tool
         gesture = Span if straight and tool == "brush" else TOOLS[tool]
-        self._erasing, self._acted = erase, False
+        self._erasing, self.acted = erase, False
         self._gesture = gesture(self, place, world)
         return self.move(place)
 
@@ -150,7 +146,7 @@ class Brush:
     def let_go(self):
         """End the gesture with what it has done so far."""
         self._gesture = self._button = None
-        self._erasing = False
+        self._erasing = self.acted = False
 
     def marks(self, place, view):
         """Return the Marks that show what the tool reaches from a place, or what the gesture will draw."""
@@ -165,6 +161,4 @@ class Brush:
         return brush_outline(self.shape, self.diameter, snap(place, self.diameter))
 
     def _told(self, acts):
-        told = [(act, self._acted or number > 0) for number, act in enumerate(acts)]
-        self._acted = self._acted or bool(acts)
-        return told
+        return [(act, self.acted or number > 0) for number, act in enumerate(acts)]

@@ -72,6 +72,7 @@ class Toy:
         self.undo_goes_back = False  # undo goes to the moment of the act it takes back
         self._now_s = 0.0  # when this frame is
         self._has_waited = False  # in this frame, for the moment that the session should be at
+        self._heard = None, True  # the page that was open in the last frame, and whether the panel was shown
         self._size = None  # of the window and the lattice, as laid out, and what they look like
         self._gather_helpers()
         if p is not None:
@@ -113,9 +114,17 @@ class Toy:
     # --- what the parts ask of it ---
 
     def do(self, action, join=False):
-        """Let a player's act happen; `join`: undo takes it back together with the act before."""
-        if self.is_there():
-            self.session.do(action, join)
+        """Let a player's act happen; return whether it changed anything.
+
+        join: undo takes it back together with the act before.
+        """
+        return self.is_there() and self.session.do(action, join)
+
+    def paint(self, acts):
+        """Let the acts of the brush's gesture happen, and have it know whether any changed something."""
+        for act, join in acts:
+            if self.do(act, join):
+                self.brush.acted = self.brush.painting
 
     @property
     def colours(self):
@@ -146,15 +155,26 @@ class Toy:
         """Have everything laid out and drawn anew."""
         self._size = None
 
+    def let_go(self):
+        """Let go of all that a key or a button holds: nobody may hear it come up."""
+        cards = [card.ui for card in (self.question, self.photo) if card.shown]
+        holders = self.brush, self.time_bar, self.camera, self.rewind, self.ahead, self.stage, self.panel.ui
+        for each in (*holders, *cards):
+            each.let_go()
+
     def turn_over(self, quarters=2):
-        """Turn the lattice by quarters, clockwise, and let its old picture turn, unless motion is to be reduced."""
-        if self.stage.turn:
-            return
+        """Turn the lattice by quarters, clockwise, and let its old picture turn, unless motion is to be reduced.
+
+        Return whether it turned: not while it does so already.
+        """
+        if self.stage.turn or not self.is_there():
+            return False
         self.brush.let_go()
         if not self.settings["reduced_motion"] and not self.page:
             self.stage.start_turn(self._now_s, quarters)
         self.camera.turn_over(quarters)
         self.do(Flip() if quarters == 2 else Turn(quarters))
+        return True
 
     def load(self, name):
         """Put the shipped scene of that name in place of this one."""
@@ -234,8 +254,8 @@ class Toy:
         events = self.cursor.listen(self._left_by_overlays(events, now_s, mouse_pos))
         for event in self._lay_out_panel(events, now_s, mouse_pos):
             self.hearing.hear(event)
-        for act, join in self.brush.hold():
-            self.do(act, join)
+        self._let_go_of_hidden()
+        self.paint(self.brush.hold())
         self.hearing.follow(mouse_pos)
         self.figures.follow(mouse_pos, now_s)
         self.stepping.step(elapsed_ns, now_s)
@@ -252,9 +272,14 @@ class Toy:
         return bool(changed)
 
     def _left_by_overlays(self, events, now_s, mouse_pos):
-        """Return the events that nothing which lies over the sand has taken."""
-        for each in (*self.pages, *self.overlays[::-1]):
-            if each.shown:
+        """Return the events that nothing which lies over the sand has taken; what a page hides hears none."""
+        page = self.page
+        if page:
+            events = page.listen(events, now_s, mouse_pos)
+        for each in self.overlays[::-1]:
+            if each.shown and page:
+                each.listen([], now_s, None)
+            elif each.shown:
                 events = each.listen(events, now_s, mouse_pos)
         return events
 
@@ -262,6 +287,12 @@ class Toy:
         if not self.panel_shown or self.page:
             return events
         return self.panel.lay_out(self.layout.panel, events, now_s, mouse_pos, self)
+
+    def _let_go_of_hidden(self):
+        """Let go of what is held when a page opens or the panel goes, since what comes up is no longer heard."""
+        if self._heard != (self.page, self.panel_shown):
+            self._heard = self.page, self.panel_shown
+            self.let_go()
 
     def _tell(self, now_s):
         """Show what there is to say: trouble with the journal, and lines that come and go."""
@@ -289,7 +320,7 @@ class Toy:
 
     def _renew_theme(self):
         """Keep the colours and the UI scale that were asked for, as far as the window leaves room for it."""
-        wanted = panel.fitting_scale(self.settings["ui_scale"], self.window.size[0]), self.colours
+        wanted = panel.fitting_scale(self.settings["ui_scale"], self.window.size), self.colours
         if wanted != (self.theme.scale, self.theme.colours):
             self.theme = self.panel.ui.theme = self.hud.theme = self.time_bar.theme = look.theme_of(*wanted)
 

@@ -6,6 +6,7 @@ import statistics
 import sys
 import time
 import warnings
+from contextlib import suppress
 from functools import cache
 
 import numpy as np
@@ -14,6 +15,7 @@ import pygame
 from game.play import icon
 
 SMALLEST = (640, 480)
+LEAST_SURFACE = (320, 240)  # where a window is made smaller all the same, what it cannot show is drawn beside it
 ROOM_FOR_DECORATION = (24, 80)  # of the desktop, left to the title bar and panels of others
 SLOW_FLIP_MS = 3.0  # a flip that takes longer goes through software OpenGL: writing to the window is far cheaper
 TITLE = "Sandglass"
@@ -33,7 +35,7 @@ class Window:
 
         Raises NoDisplayError if there is no display.
         """
-        self._title = TITLE
+        self._title, self._beside = TITLE, None
         try:
             _start_display()
             self._windowed_size = self._fitting(size)
@@ -46,12 +48,22 @@ class Window:
 
     @property
     def surface(self):
-        """The window's pixels, as pygame draws on them."""
-        return pygame.display.get_surface()
+        """The window's pixels, as pygame draws on them.
+
+        Of a window smaller than LEAST_SURFACE they are those that it shows a part of: nothing that draws lacks room.
+        """
+        shown = pygame.display.get_surface()
+        size = tuple(max(sides) for sides in zip(shown.get_size(), LEAST_SURFACE, strict=True))
+        if size == shown.get_size():
+            self._beside = None
+            return shown
+        if self._beside is None or self._beside.get_size() != size:
+            self._beside = pygame.Surface(size, 0, shown)
+        return self._beside
 
     @property
     def size(self):
-        """(width, height) in pixels."""
+        """(width, height) of `surface` in pixels."""
         return self.surface.get_size()
 
     @property
@@ -86,6 +98,9 @@ class Window:
 
     def show(self, rects=None):
         """Bring what was drawn in `rects`, or anywhere, to the screen."""
+        if self._beside and rects != []:
+            pygame.display.get_surface().blit(self._beside, (0, 0))
+            rects = None
         if rects is None:
             pygame.display.flip()
         elif rects:
@@ -95,6 +110,8 @@ class Window:
         pygame.display.set_icon(icon.load())
         pygame.display.set_mode(self._windowed_size, pygame.RESIZABLE, 32)
         pygame.display.set_caption(self._title)
+        with suppress(AttributeError, pygame.error):  # not all window managers keep to it
+            _of_sdl().minimum_size = SMALLEST
         if self.fullscreen:
             _of_sdl().set_fullscreen(True)
             pygame.event.pump()  # the pixels are as many as the screen's from here on
@@ -122,7 +139,10 @@ class Window:
 
 
 def _of_sdl():
-    """Return the window as SDL knows it; to open another in its place would lose its size to some window managers."""
+    """Return the window as SDL knows it: pygame has no other way to it yet, and says that this one will go.
+
+    To open another in its place would lose its size to some window managers.
+    """
     with warnings.catch_warnings(action="ignore", category=DeprecationWarning):
         return pygame.Window.from_display_module()
 

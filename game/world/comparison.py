@@ -33,11 +33,15 @@ class Comparison(Session):
         return {each: self if each == self.schedule else self.others[each] for each in SCHEDULES}
 
     def do(self, action, join=False):
-        """Apply an action to all worlds; a rule that it sets leaves each one its own schedule."""
+        """Apply an action to all worlds and return whether it changed the leading one.
+
+        A rule that it sets leaves each one its own schedule.
+        """
         self.keep_up()
-        super().do(_kept(action, self.schedule), join)
+        acted = super().do(_kept(action, self.schedule), join)
         for schedule, other in self.others.items():
             other.do(_kept(action, schedule), join)
+        return acted
 
     def seek(self, now, budget_ns=None):
         """Go to iteration `now` in all worlds and return whether the leading one is there."""

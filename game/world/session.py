@@ -66,12 +66,16 @@ class Session:
         return self.timeline.reached
 
     def do(self, action, join=False):
-        """Apply an action to the world and the rule; `join` makes it one with the act before, for undo."""
+        """Apply an action to the world and the rule; `join` makes it one with the act before, for undo.
+
+        Return whether it changed anything, and so is recorded.
+        """
         entry = self.timeline.do(action, join)
         if entry:
             self._note(entry)
         if isinstance(action, Load):
             self.clock, self._paced = Clock(action.scene.speed), action.scene
+        return entry is not None
 
     def seek(self, now, budget_ns=None):
         """Go to iteration `now` and return whether it is reached; `frame` goes on with what the budget cut off."""

@@ -100,6 +100,24 @@ def test_the_next_flow_is_the_iteration_at_which_a_grain_passes(watcher):
         assert session.reached == session.now
 
 
+def test_a_key_that_went_down_with_shift_is_no_other_when_shift_comes_up_first(watcher):
+    neck = find_neck(watcher.world)
+    for _ in range(2):
+        before = neck.grains_above(watcher.world)
+        watcher.press(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+        go_on(watcher)
+        assert neck.grains_above(watcher.world) < before
+        watcher.press(pygame.K_RIGHT)
+        assert not watcher.toy.ahead.held
+        watcher.release(pygame.K_RIGHT)
+
+
+def test_the_key_comes_up_whatever_else_is_held(watcher):
+    watcher.press(pygame.K_RIGHT)
+    watcher.release(pygame.K_RIGHT, pygame.KMOD_SHIFT)
+    assert not watcher.toy.ahead.held
+
+
 def test_it_is_said_that_nothing_will_pass(watcher):
     watcher.key(pygame.K_END)
     go_on(watcher)

@@ -155,6 +155,16 @@ def test_two_fingers_zoom_and_take_back_what_one_has_painted(still):
     assert still.world.grains > 0
 
 
+def test_two_fingers_take_back_no_stroke_that_was_there_before(still):
+    one = (300, 300)
+    still.click(one)
+    grains = still.world.grains
+    still.frame(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=one, button=1, touch=True))
+    finger(still, pygame.FINGERDOWN, 1, one)
+    finger(still, pygame.FINGERDOWN, 2, (400, 300))
+    assert still.world.grains == grains > 0
+
+
 def test_the_world_does_not_know_who_looks():
     near, far = Player("hourglass"), Player("hourglass")
     for _ in range(20):

@@ -51,6 +51,15 @@ def test_the_sand_goes_on_behind_the_gallery_and_nobody_can_touch_it_there(playe
     assert gallery.shown and player.world.iteration > at and len(player.session.timeline.history.story()) == 0
 
 
+def test_the_wheel_scrolls_along_its_own_axis_only(player):
+    player.toy.settings.override("ui_scale", 3)
+    gallery = looked_at(player)
+    gallery._choose(0)
+    for right, up, top in ((1, 0, 0), (0, -1, 1), (-1, 0, 1), (0, 1, 0)):
+        player.frame(pygame.event.Event(pygame.MOUSEWHEEL, x=right, y=up, flipped=False))
+        assert gallery._top == top
+
+
 @pytest.mark.parametrize("number", [0, 4, len(scene_names()) - 1])
 def test_a_scene_is_opened_by_keys_and_by_a_click(player, number):
     gallery = looked_at(player)

@@ -9,6 +9,7 @@ from game.play import help as page
 from game.play import keys
 from game.play.commands import Commands
 from game.play.help import groups, lay_out
+from game.play.question import Answer
 from game.play.ui import paint
 from game.play.ui.theme import Theme
 
@@ -51,6 +52,24 @@ def test_every_key_gives_a_command_that_there_is():
 def test_no_two_commands_share_a_key():
     taken = [(code, key.mods) for key in keys.KEYS for code in key.codes]
     assert len(taken) == len(set(taken))
+
+
+def test_what_the_page_hides_hears_no_key(glass):
+    answers = Answer("Yes", None, pygame.K_RETURN, "Enter"), Answer("Later", None, pygame.K_ESCAPE, "Esc")
+    glass.toy.question.ask("Go on?", "Words.", answers)
+    glass.key(pygame.K_F1)
+    for key in (pygame.K_RETURN, pygame.K_ESCAPE):
+        glass.key(key)
+        assert glass.toy.question.shown
+    assert not glass.toy.help.shown
+    glass.key(pygame.K_RETURN)
+    assert not glass.toy.question.shown
+
+
+def test_the_upper_of_two_pages_is_closed_first(glass):
+    for key in (pygame.K_F2, pygame.K_F1, pygame.K_ESCAPE):
+        glass.key(key)
+    assert glass.toy.page is glass.toy.gallery
 
 
 def test_a_click_closes_the_page_and_keys_go_on_working(glass):

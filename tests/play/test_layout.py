@@ -7,6 +7,7 @@ import itertools
 
 import pygame
 import pytest
+from PIL import Image
 
 from game.play.ui import paint
 from game.play.ui.widgets import Ui
@@ -14,6 +15,7 @@ from game.world.scene import load_scene, scene_names
 
 SIZES = (640, 480), (1280, 720), (3840, 2160)
 SCALES = 0.75, 1, 1.5, 3
+TINY = (1, 1), (60, 300), (640, 20), (200, 60), (321, 241), (3000, 100)
 ESSENTIALS = "Scene", "Gallery", "Tool", "Paint", "Colour", "Size", "p", "Speed", "Pause", "Flip", "Undo", "Restart"
 
 
@@ -73,6 +75,22 @@ def test_the_parts_of_the_window_share_it_without_a_gap(glass, size, scale):
     assert overlapping(parts) is None
     assert sum(rect.width * rect.height for rect in parts.values()) == size[0] * size[1]
     assert layout.sand.width >= size[0] // 2 - 1 and layout.sand.height > size[1] // 2
+
+
+@pytest.mark.parametrize("scale", (0.75, 3))
+@pytest.mark.parametrize("size", TINY)
+def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, scale):
+    Image.new("RGB", (64, 48), "gold").save(tmp_path / "photo.png")
+    seen(glass, size, scale)
+    glass.drop(tmp_path / "photo.png")
+    for command, *words in (["turn", 1], ["zoom", 1], ["show_scenes"], ["show_scenes"], ["toggle_help"]):
+        getattr(glass.toy.commands, command)(*words)
+        glass.wait(2)
+        stage, layout, pixels = glass.toy.stage, glass.toy.layout, glass.toy.window.surface.get_rect()
+        left, top, right, bottom = stage.view.seen
+        shown = layout.panel, layout.sand, layout.bar, layout.hud, pygame.Rect(left, top, right - left, bottom - top)
+        assert all(pixels.contains(rect) and rect.width > 0 < rect.height for rect in shown)
+    assert glass.toy.photo.shown and glass.toy.help.shown
 
 
 @pytest.mark.parametrize("name", scene_names())

@@ -4,6 +4,7 @@ import numpy as np
 import pygame
 import pytest
 
+from game.world.action import Clear
 from game.world.comparison import Comparison
 from tests.play.player import Player
 
@@ -87,6 +88,20 @@ def test_a_flip_turns_all_three_and_undo_brings_them_back(three):
     assert all((new == old[::-1, ::-1]).all() for new, old in zip(after, before, strict=True))
     three.key(pygame.K_z, "", pygame.KMOD_CTRL)
     assert all((new.world.sand == old).all() for new, old in zip(three.session.sessions.values(), before, strict=True))
+
+
+def test_undo_that_is_held_neither_leaves_the_comparison_nor_goes_on_beyond_it(three):
+    own = three.toy._former[0]
+    own.timeline.do(Clear())
+    three.hold_time()
+    three.key(pygame.K_c, "c")
+    for _ in range(5):
+        three.press(pygame.K_z, "", pygame.KMOD_CTRL)
+    assert isinstance(three.session, Comparison) and three.world.grains
+    three.release(pygame.K_z)
+    for _ in range(5):
+        three.press(pygame.K_z, "", pygame.KMOD_CTRL)
+    assert three.session is own and not three.world.grains
 
 
 def test_still_panes_are_not_drawn_again(three):

@@ -88,6 +88,16 @@ def test_the_row_is_the_neck_unless_the_player_sets_another(glass):
     assert plots._watch.row == 30
 
 
+def test_the_row_lies_in_the_lattice_however_it_is_turned(player):
+    plots, (high, wide) = player.toy.plots, player.world.shape
+    player.toy.commands.turn(1)
+    plots.measured_row = wide
+    player.now_s += 1e6
+    player.wait(1)
+    player.toy.commands.turn(3)
+    assert player.world.shape == (high, wide) and plots.measured_row == high < wide
+
+
 def written(player):
     """Return the words in the cards: (rect, text)."""
     strokes = player.toy.plots._strokes(player.toy.layout.plots)

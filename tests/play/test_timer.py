@@ -181,6 +181,15 @@ def test_turning_the_glass_over_at_the_end_starts_again(waiting):
     assert "The last grain fell" in waiting.timer.said
 
 
+def test_a_flip_that_the_turning_table_leaves_out_starts_no_time(waiting):
+    waiting.start(1)
+    waiting.run_out()
+    waiting.key(pygame.K_f, "F", pygame.KMOD_SHIFT)
+    assert waiting.toy.stage.turn
+    waiting.key(pygame.K_f, "f")
+    assert waiting.timer.state == OVER
+
+
 def test_sand_goes_on_settling_at_the_pace(waiting):
     waiting.start(4)
     waiting.pass_time(1)

@@ -189,6 +189,19 @@ def test_a_spray_that_rests_grows_denser(still):
     assert 0 < few < 100 < still.world.grains < 700
 
 
+def test_a_stroke_whose_beginning_was_lost_is_taken_back_without_the_one_before(still, monkeypatch):
+    still.drag(still.pixel(20, 20), still.pixel(60, 25))
+    grains = still.world.grains
+    with monkeypatch.context() as way:
+        way.setattr(still.toy, "is_there", lambda: False)
+        still.button(pygame.MOUSEBUTTONDOWN, still.pixel(20, 60))
+    still.move(still.pixel(60, 65))
+    still.button(pygame.MOUSEBUTTONUP, still.pixel(60, 65))
+    assert still.world.grains > grains
+    still.key(pygame.K_z, "", pygame.KMOD_CTRL)
+    assert still.world.grains == grains
+
+
 def test_a_finger_paints_as_the_mouse_does_and_not_twice(still):
     def both(kind, finger, place):
         x, y = still.pixel(*place)
@@ -203,9 +216,8 @@ def test_a_finger_paints_as_the_mouse_does_and_not_twice(still):
     both(pygame.MOUSEBUTTONDOWN, pygame.FINGERDOWN, (10, 10))
     both(pygame.MOUSEMOTION, pygame.FINGERMOTION, (60, 40))
     both(pygame.MOUSEBUTTONUP, pygame.FINGERUP, (60, 40))
-    assert [entry.what for entry in acts(still)] == [Paint("sand", (10.5, 10.5), (60.5, 40.5), 3)] or len(
-        acts(still)
-    ) == 1
+    ends = [still.toy.stage.view.place(*still.pixel(*cell)) for cell in ((10, 10), (60, 40))]
+    assert [entry.what for entry in acts(still)] == [Paint("sand", *ends, 3)]
     assert still.session.account.painted == still.world.grains
 
 

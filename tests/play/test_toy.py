@@ -93,6 +93,21 @@ def test_keys_choose_tool_and_size(player):
     assert player.toy.brush.diameter == before - 2
 
 
+@pytest.mark.parametrize("mod", [pygame.KMOD_RALT, pygame.KMOD_MODE, pygame.KMOD_RALT | pygame.KMOD_LCTRL])
+def test_brackets_that_a_layout_types_with_alt_gr_are_heard(player, mod):
+    before = player.toy.brush.diameter
+    player.key(pygame.K_9, "]", mod)
+    assert player.toy.brush.diameter == before + 1
+    player.key(pygame.K_8, "[", mod)
+    assert player.toy.brush.diameter == before
+
+
+def test_alt_alone_gives_no_command(player):
+    before = player.toy.brush.diameter
+    player.key(pygame.K_RIGHTBRACKET, "]", pygame.KMOD_LALT)
+    assert player.toy.brush.diameter == before
+
+
 def test_space_holds_time_and_a_period_steps_one_iteration(glass):
     glass.key(pygame.K_SPACE, " ")
     at = glass.world.iteration

@@ -76,6 +76,12 @@ class Focus:
         """Give the keyboard back."""
         self._drop()
 
+    def let_go(self):
+        """Forget the buttons held: nobody may hear them come up."""
+        self.held = None
+        self._ours.clear()
+        self._theirs.clear()
+
     def owns(self, pos):
         """Say whether the pointer at `pos` in the window is the panel's: over it, or dragging something of it."""
         return bool(self._ours) or (not self._theirs and self._view.collidepoint(pos))
@@ -106,7 +112,7 @@ class Focus:
             pygame.MOUSEWHEEL: self._wheel,
             pygame.KEYDOWN: self._key,
             pygame.WINDOWLEAVE: self._leave,
-            pygame.WINDOWFOCUSLOST: self._let_go,
+            pygame.WINDOWFOCUSLOST: self._lose,
         }.get(event.type)
         return bool(hears and hears(event))
 
@@ -235,11 +241,8 @@ class Focus:
     def _leave(self, _event):
         self._pointer = None
 
-    def _let_go(self, _event):
-        """Forget the buttons held: the window will not hear them go up."""
-        self.held = None
-        self._ours.clear()
-        self._theirs.clear()
+    def _lose(self, _event):
+        self.let_go()
 
     # --- helpers ---
 

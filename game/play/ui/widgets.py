@@ -114,6 +114,10 @@ class Ui:
             return [self._in_window(row.move(0, i * popup.row_height)) for i in range(popup.shown)]
         return [self._in_window(part) for part in self.focus.slots[name].parts]
 
+    def let_go(self):
+        """Let go of the control that a button holds: nobody may hear it come up."""
+        self.focus.let_go()
+
     def wants_mouse(self, pos):
         """Say whether the pointer at `pos` belongs to the panel, so that it paints no sand there."""
         return self.focus.owns(pos)
