@@ -2,6 +2,7 @@
 
 import queue
 import threading
+from functools import partial
 
 from game.world.saving import FileError
 from game.world.table import SceneError
@@ -23,17 +24,19 @@ class Background:
         """Whether any work is not done, or its outcome not heard."""
         return any(thread.is_alive() for thread in self._threads) or not self._outcomes.empty()
 
-    def do(self, work, then=None):
-        """Call `work()` in a thread, and then(its result) at the next `hear` after it."""
+    def do(self, work, then=None, otherwise=None):
+        """Call `work()` in a thread, and then(its result), or otherwise() if it failed, at the next `hear` after it."""
 
         def run():
+            act = otherwise
             try:
                 result = work()
+                act = then and partial(then, result)
             except EXPECTED as error:
-                self._outcomes.put((self._sorry, error))
-            else:
-                if then:
-                    self._outcomes.put((then, result))
+                self._outcomes.put(partial(self._sorry, error))
+            finally:
+                if act:
+                    self._outcomes.put(act)
 
         thread = threading.Thread(target=run, daemon=True)
         self._threads = [*(each for each in self._threads if each.is_alive()), thread]
@@ -42,8 +45,7 @@ class Background:
     def hear(self):
         """Act on the outcomes so far."""
         while not self._outcomes.empty():
-            act, outcome = self._outcomes.get()
-            act(outcome)
+            self._outcomes.get()()
 
     def finish(self):
         """Wait for what is being written."""

@@ -87,19 +87,17 @@ class Recorder:
             self.stop()
             return
         session = self._toy.session
-        self._film, self._frames = (
-            Film(session.world.shape, session.scene.cell, *self._looks()),
-            queue.Queue(MOST_WAITING),
-        )
+        self._film = Film(session.world.shape, session.scene.cell, *self._looks())
+        self._frames = frames = queue.SimpleQueue()  # without an end, so that nothing ever waits to put into it
         self._since_s = self._last_s = None
-        work = partial(_write, session.scene.name, self._film, iter(self._frames.get, None))
-        self._toy.background.do(work, self._say_where)
+        work = partial(_write, session.scene.name, self._film, iter(frames.get, None))
+        self._toy.background.do(work, self._say_where, partial(self._give_up, frames))
 
     def stop(self):
         """End the recording of what follows, if one goes on."""
         if self.going_on:
-            frames, self._frames = self._frames, None
-            self._toy.background.do(partial(frames.put, None))
+            self._frames.put(None)
+            self._frames = None
 
     def look(self, now_s):
         """Take in the sand of this frame, if it is time for one; never wait for the writer."""
@@ -112,8 +110,8 @@ class Recorder:
         world = self._toy.session.world
         if world.shape != self._film.shape or now_s - self._since_s > LONGEST_S:
             self.stop()
-        elif not self._frames.full():
-            self._frames.put_nowait((self._film.frame(world), passed_ms))
+        elif self._frames.qsize() < MOST_WAITING:
+            self._frames.put((self._film.frame(world), passed_ms))
             self._last_s = now_s
 
     def record_past(self):
@@ -143,6 +141,11 @@ class Recorder:
 
     def _forget_share(self):
         self._share = None
+
+    def _give_up(self, frames):
+        """End the recording whose writer has failed."""
+        if self._frames is frames:
+            self._frames = None
 
     def _say_where(self, path):
         self._toy.notices.say(f"Recorded as {path}")

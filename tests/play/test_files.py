@@ -1,5 +1,6 @@
 """Files in and out of the window: saved scenes, dropped files, journals, pictures and recordings."""
 
+import threading
 import time
 
 import numpy as np
@@ -365,6 +366,18 @@ def test_no_frame_waits_for_the_writer(glass, monkeypatch):
         glass.frame(elapsed_ns=40_000_000)
     assert time.perf_counter() - start < 40 * 0.2 / 2
     glass.toy.recorder.stop()
+
+
+def test_a_recording_that_cannot_be_written_costs_a_line_and_keeps_no_window_open(glass, own_folder):
+    own_folder.write_text("a file where the folder should be")
+    glass.key(pygame.K_g)
+    glass.settle()
+    glass.wait(recorder.MOST_WAITING * 3)
+    assert "cannot make the folder" in glass.toy.notices.text and not glass.toy.recorder.said
+    closing = threading.Thread(target=glass.toy.close, daemon=True)
+    closing.start()
+    closing.join(10)
+    assert not closing.is_alive()
 
 
 def test_a_still_picture_is_written_once(player):
