@@ -48,7 +48,7 @@ class Background:
             self._outcomes.get()()
 
     def finish(self):
-        """Wait for what is being written."""
+        """Wait for what is being written; nothing comes of it any more, for what would hear of it is gone."""
         for thread in self._threads:
             thread.join()
-        self.hear()
+        self._outcomes = queue.SimpleQueue()

@@ -306,6 +306,16 @@ def test_leaving_ends_the_journal(player):
     assert not player.toy.running and next(journal.unfinished(), None) is None
 
 
+def test_a_file_that_is_read_when_the_window_closes_is_not_played_any_more(player):
+    player.toy.recovery.start()
+    player.settle()
+    before = player.session
+    path = asset("replays", f"{demos()[0]}.sandglass")
+    player.frame(pygame.event.Event(pygame.DROPFILE, file=str(path)), pygame.event.Event(pygame.QUIT))
+    player.toy.close()
+    assert player.session is before and next(journal.unfinished(), None) is None
+
+
 # --- pictures and recordings ---
 
 
