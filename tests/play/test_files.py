@@ -1,5 +1,6 @@
 """Files in and out of the window: saved scenes, dropped files, journals, pictures and recordings."""
 
+import sys
 import threading
 import time
 
@@ -24,6 +25,8 @@ from tests.play.player import Player
 
 CTRL = pygame.KMOD_LCTRL
 SHIFT = pygame.KMOD_LSHIFT
+UNSPELLED = "caf\udce9.png"  # as Python tells a name of bytes that are no letters in UTF-8
+on_linux = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere no file can have such a name")
 
 
 def save(player):
@@ -133,6 +136,16 @@ def test_a_folder_that_cannot_be_written_costs_a_line_and_no_sand(player, own_fo
     grains = player.world.grains
     save(player)
     assert "cannot make the folder" in player.toy.notices.text and player.world.grains == grains
+
+
+@on_linux
+def test_a_file_whose_name_spells_no_letters_is_listed(player):
+    save(player)
+    the_file("scenes").rename(folder_of("scenes") / UNSPELLED)
+    player.key(pygame.K_o, mod=CTRL)
+    player.settle()
+    player.wait(1)
+    assert player.toy.gallery.shelf.picture(0)
 
 
 # --- what is dropped ---
