@@ -11,6 +11,7 @@ from game.world.places import new_file
 from game.world.replay import Recording
 from game.world.scene import Scene, load_scene
 from game.world.session import Session
+from game.world.table import name_of
 
 
 def demos():
@@ -78,4 +79,4 @@ def read(path):
         found = open_picture(path)
         if isinstance(found, Photo):
             found.picture(in_colours=True)  # which is slow for the first time, and what is shown first
-    return found, path.stem
+    return found, name_of(path)

@@ -32,7 +32,7 @@ from game.world.rule import Rule
 from game.world.saving import FileError, load, save
 from game.world.scene import Scene
 from game.world.scene_record import decode_rule
-from game.world.table import LONGEST_LINE, SceneError, Table
+from game.world.table import SceneError, Table, name_of
 
 VERSION = 1
 CHUNK = "sandglass"  # the key of the text in the PNG
@@ -139,7 +139,7 @@ def _picture(path, materials, text):
         settings, seed = _settings(path, text)
     except SceneError as error:
         raise PictureError(error) from None
-    return Picture(Scene(path.stem, sand=sand, walls=walls, colours=colours, **settings), seed)
+    return Picture(Scene(name_of(path), sand=sand, walls=walls, colours=colours, **settings), seed)
 
 
 def _read(path):
@@ -187,7 +187,7 @@ def _fitted(pixels):
 def _settings(path, text):
     """Return the fields of a Scene beside its cells, and the seed, from the text in its picture."""
     if text is None:
-        fields = {"title": path.stem[:LONGEST_LINE], "notice": "", "rule": Rule.with_p(0.75, "balanced")}
+        fields = {"title": name_of(path), "notice": "", "rule": Rule.with_p(0.75, "balanced")}
         return fields | {"speed": knob.SPEED.default, "cell": knob.CELL.default}, knob.SEED.default
     try:
         table = Table(path, json.loads(text), f"{CHUNK}: ")
@@ -197,7 +197,7 @@ def _settings(path, text):
         raise SceneError(path, CHUNK, "no object", "the settings of a scene")
     table.number("sandglass", Knob("version", VERSION, 1, VERSION, "(a newer Sandglass wrote it)", "", whole=True))
     table.allow(("sandglass", "title", "notice", "walls", "rule", "seed", "speed", "cell", "fixtures"))
-    fields = {"title": table.line("title", path.stem), "notice": table.line("notice", "")}
+    fields = {"title": table.line("title", name_of(path)), "notice": table.line("notice", "")}
     fields |= {"rule": decode_rule(table.table("rule")), "speed": table.number("speed", knob.SPEED)}
     fields["made_of"] = table.choice("walls", WALL_LOOKS, WALL_LOOKS[0])
     fields |= {"cell": table.number("cell", knob.CELL), "fixtures": fixture.read_all(table)}

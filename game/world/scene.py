@@ -17,7 +17,7 @@ from game.world.fixture import DRAIN, TAP
 from game.world.glass_shape import Glass
 from game.world.rule import FIELDS, SCHEDULES, Rule
 from game.world.shapes import Scale, middle_of_glass, only_glass, paint
-from game.world.table import SceneError, read_table
+from game.world.table import SceneError, name_of, read_table
 from game.world.world import World
 
 __all__ = ["Scene", "SceneError", "load_scene", "scene_names"]
@@ -95,8 +95,8 @@ def load_scene(name_or_path, size=None):
     cells, own_size = _cells(table, path.parent, size)
     sand, walls, colours = parted(cells)
     return Scene(
-        name=path.stem,
-        title=table.line("title", path.stem),
+        name=name_of(path),
+        title=table.line("title", name_of(path)),
         notice=table.line("notice", ""),
         sand=sand,
         walls=walls,
@@ -121,7 +121,7 @@ def scene_names():
 def scene_title(name):
     """Return the title of a shipped scene without making its cells."""
     path = _path(name)
-    return read_table(path).line("title", path.stem)
+    return read_table(path).line("title", name_of(path))
 
 
 def _path(name_or_path):

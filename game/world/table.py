@@ -17,6 +17,11 @@ class SceneError(ValueError):
         super().__init__("".join(c if c.isprintable() else " " for c in line))
 
 
+def name_of(path):
+    """Return a file's name without its suffix, as one line that can be shown and kept in another file."""
+    return "".join(c if c.isprintable() else "?" for c in path.stem)[:LONGEST_LINE]
+
+
 class Table:
     """The keys and values of one table; `where` leads to it in messages, such as 'rule.' or 'shape 2 (line).'."""
 

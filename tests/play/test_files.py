@@ -224,6 +224,26 @@ def test_a_photo_can_be_left(player, tmp_path):
     assert not player.toy.photo.shown and player.session.scene.name == "blank" and player.toy.running
 
 
+@on_linux
+@pytest.mark.parametrize("length", [1, 240])
+def test_what_was_opened_from_a_file_of_any_name_is_saved_and_gone_on_with(player, tmp_path, length):
+    photo = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
+    Image.fromarray(photo).save(tmp_path / "grey.png")
+    path = (tmp_path / "grey.png").rename(tmp_path / (length * "g" + UNSPELLED))
+    player.toy.recovery.start()
+    player.hold_time()
+    player.drop(path)
+    player.wait(1)
+    player.key(pygame.K_RETURN)
+    player.frame()
+    save(player)
+    sand = player.session.scene.sand
+    assert (load_picture(the_file("scenes")).scene.sand == player.world.sand).all()
+    crash(player)
+    recording = Journal.resume(next(journal.unfinished()))[1]
+    assert recording.problem is None and (recording.entries[-1].what.scene.sand == sand).all()
+
+
 @pytest.mark.parametrize("name", ("bad.toml", "bad.sandglass", "bad.png", "bad.txt", "gone.toml", "gone.jpg", ""))
 def test_a_bad_file_costs_a_line_and_no_sand(player, tmp_path, name):
     if name.startswith("bad"):
