@@ -92,7 +92,13 @@ class Settings:
 
     def _kept(self):
         """Return what the file holds now; raise FileError if it cannot be read."""
-        return read_lines(load(self.path, LARGEST_FILE), self.rows) if self.path.exists() else Kept()
+        try:
+            self.path.stat()
+        except (FileNotFoundError, NotADirectoryError):
+            return Kept()
+        except OSError as error:
+            raise trouble(self.path, "cannot read", error) from None
+        return read_lines(load(self.path, LARGEST_FILE), self.rows)
 
     def _save(self, changed):
         """Put what was changed into the file, in which another window may have changed something else meanwhile."""
