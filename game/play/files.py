@@ -63,8 +63,9 @@ class Files:
             self._toy.photo.show(what)
         else:
             scene, seed = what if isinstance(what, Picture) else (what, self._toy.session.seed)
-            self._toy.open_scene(scene, seed)
-            self._toy.notices.say(f"Opened {name}. Ctrl+Z takes you back.")
+            opened = f"Opened {name}. Ctrl+Z takes you back."
+            waits = f"{name} was not opened: the sand is still being computed."
+            self._toy.notices.say(opened if self._toy.open_scene(scene, seed) else waits)
 
 
 def read(path):

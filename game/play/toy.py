@@ -114,9 +114,11 @@ class Toy:
     # --- what the parts ask of it ---
 
     def do(self, action, join=False):
-        """Let a player's act happen; `join`: undo takes it back together with the act before."""
-        if self.is_there():
-            self.session.do(action, join)
+        """Let a player's act happen; return whether it did. `join`: undo takes it back together with the act before."""
+        if not self.is_there():
+            return False
+        self.session.do(action, join)
+        return True
 
     @property
     def colours(self):
@@ -162,10 +164,12 @@ class Toy:
         self.open_scene(load_scene(name), self.session.seed)
 
     def open_scene(self, scene, seed):
-        """Put a scene in place of this one; it is an act, and can be taken back."""
-        self.do(Load(scene, seed))
+        """Put a scene in place of this one; return whether that was done. It is an act, and can be taken back."""
+        if not self.do(Load(scene, seed)):
+            return False
         self.lay_out_anew()
         give_back_holes()
+        return True
 
     def open_session(self, session, keep=False):
         """Play another session, and keep this one behind it if it is asked for or anything was done in it."""

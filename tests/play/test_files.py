@@ -244,6 +244,32 @@ def test_what_was_opened_from_a_file_of_any_name_is_saved_and_gone_on_with(playe
     assert recording.problem is None and (recording.entries[-1].what.scene.sand == sand).all()
 
 
+@pytest.fixture
+def late(glass, monkeypatch):
+    """Return a player whose sand is on its way to another moment, and stays there."""
+    glass.wait(30)
+    monkeypatch.setattr(type(glass.session.timeline), "catch_up", lambda *_: None)
+    glass.session.timeline.goal = 1
+    return glass
+
+
+def test_a_file_is_not_said_to_be_opened_where_the_sand_could_not_give_way(late, tmp_path):
+    before = late.session.scene
+    (tmp_path / "two.toml").write_text('cells = """\no.o\n###\n"""\n')
+    late.drop(tmp_path / "two.toml")
+    assert "two was not opened" in late.toy.notices.text and late.session.scene is before
+
+
+def test_a_photo_waits_until_the_sand_can_give_way_to_it(late, tmp_path):
+    Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
+    late.drop(tmp_path / "grey.png")
+    late.key(pygame.K_RETURN)
+    assert late.toy.photo.shown
+    late.session.timeline.goal = None
+    late.key(pygame.K_RETURN)
+    assert not late.toy.photo.shown and late.session.scene.shape == (48, 64)
+
+
 @pytest.mark.parametrize("name", ("bad.toml", "bad.sandglass", "bad.png", "bad.txt", "gone.toml", "gone.jpg", ""))
 def test_a_bad_file_costs_a_line_and_no_sand(player, tmp_path, name):
     if name.startswith("bad"):
