@@ -154,20 +154,28 @@ class Timer:
         return ending.endless or (self._toy.session.timeline.goal is None and self._toy.session.now >= ending.at)
 
     def _end(self, now_s):
-        toy, gone_s, ending = self._toy, self.gone_s, self._current()
+        toy, gone_s = self._toy, self.gone_s
         self.state, self.error_s = OVER, gone_s - self.wanted_s
-        if self._slept:
-            self.said = f"{spell(self.wanted_s)} was over {spell(self.error_s)} ago, while the computer slept."
-        elif ending is None or ending.endless or ending.iterations == 0 or toy.session.now > ending.at:
-            self.said = f"{spell(self.wanted_s)} is over; no sand was left to tell it."
-        else:
-            self.said = f"The last grain fell at {spell(gone_s, 2)}, {self.error_s:.2f} s late."
+        self.said = self._account(self._current(), gone_s)
         self._pace = None
         toy.window.set_title(f"{spell(self.wanted_s)} is over – {TITLE}")
         toy.notices.say(self.said)
         toy.glow.start(now_s)
         if toy.settings["chime"] and self._chime is not None:
             toy.mixer.play(self._chime, toy.settings["volume"])
+
+    def _account(self, ending, gone_s):
+        """Return how exact the end was, in words."""
+        wanted = spell(self.wanted_s)
+        if self._slept:
+            return f"{wanted} was over {spell(self.error_s)} ago, while the computer slept."
+        if ending is None:
+            return f"{wanted} is over; when the sand will be through was not found in time."
+        if ending.endless:
+            return f"{wanted} is over; this sand comes to no end that can be foreseen."
+        if ending.iterations == 0 or self._toy.session.now > ending.at:
+            return f"{wanted} is over; no sand was left to tell it."
+        return f"The last grain fell at {spell(gone_s, 2)}, {self.error_s:.2f} s late."
 
     def _keep_chime(self, samples):
         self._chime = samples
