@@ -35,7 +35,7 @@ class Timer:
         self._judged = self._told = None  # the plan last judged, and what was found wrong with it
         self._clock = self._speed = None  # the session's clock and the speed given to it
         self._chime = None  # its samples, made beside the frames
-        self._own_speed = None  # of the session, to be given back
+        self._own = None  # the clock that goes at the timer's speed, and its own, to be given back
 
     @property
     def gone_s(self):
@@ -63,8 +63,6 @@ class Timer:
 
     def start(self):
         """Start counting down."""
-        if self.state == OFF:
-            self._own_speed = self._toy.session.clock.speed
         self.state, self.said, self.error_s = RUNNING, "", None
         self._began_s, self._frozen_s = self.clock(), None
         self._pace, self._was, self._slept = None, 0.0, False
@@ -75,8 +73,7 @@ class Timer:
 
     def stop(self):
         """Stop, and give the session its own speed back."""
-        if self.state != OFF:
-            self._toy.session.clock.speed = self._own_speed
+        self._give_back()
         self.state, self.said = OFF, ""
         self._toy.glow.stop()
         self._toy.window.set_title(TITLE)
@@ -123,6 +120,9 @@ class Timer:
     def _set_speed(self):
         """Let the session's speed be what the timer makes it, so that the sand settles at that once it is through."""
         clock = self._toy.session.clock
+        if self._own is None or clock is not self._own[0]:
+            self._give_back()
+            self._own = clock, clock.speed
         if clock is self._clock and clock.speed != self._speed:
             self._toy.notices.say("The timer sets the pace; T stops it.")
         if self.wanted_s - self._pace.from_s > LAST_S:
@@ -132,6 +132,12 @@ class Timer:
         elif clock is not self._clock:
             self._speed = clock.speed
         self._clock, clock.speed = clock, self._speed
+
+    def _give_back(self):
+        """Let the clock that goes at the timer's speed go at its own again; by now another one may be played by."""
+        if self._own:
+            clock, speed = self._own
+            clock.speed, self._own = speed, None
 
     def _current(self):
         """Return the Ending that holds, or None while it is being worked out."""

@@ -238,6 +238,33 @@ def test_stopping_gives_the_speed_back(waiting):
     assert waiting.session.clock.speed == speed
 
 
+def test_another_scene_gets_its_own_speed_back_and_not_that_of_the_one_before(waiting):
+    waiting.start(30)
+    waiting.pass_time(0.3)
+    waiting.toy.load("clocks")
+    waiting.plan()
+    waiting.pass_time(0.3)
+    assert waiting.session.clock.speed != waiting.session.scene.speed
+    waiting.key(pygame.K_t, "t")
+    assert waiting.session.clock.speed == waiting.session.scene.speed
+
+
+@pytest.mark.parametrize("stopped_there", [True, False])
+def test_a_session_that_was_left_gets_its_speed_back(waiting, stopped_there):
+    speed = waiting.session.clock.speed
+    waiting.start(30)
+    waiting.pass_time(0.3)
+    waiting.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
+    waiting.plan()
+    waiting.pass_time(0.3)
+    if stopped_there:
+        waiting.key(pygame.K_t, "t")
+    waiting.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
+    if not stopped_there:
+        waiting.key(pygame.K_t, "t")
+    assert waiting.session.clock.speed == speed
+
+
 def test_the_panel_sets_and_starts_it(waiting):
     waiting.toy.panel.timer.open = True
     waiting.wait(1)
