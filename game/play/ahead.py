@@ -152,7 +152,7 @@ class Ahead:
             else:
                 self.stop()
 
-        self._toy.background.do(work, take)
+        self._toy.background.do(work, take, self.stop)
 
     def _arrive(self, at):
         """Go back from where the frame had come to, and say what it took."""

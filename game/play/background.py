@@ -7,14 +7,14 @@ from functools import partial
 from game.world.saving import FileError
 from game.world.table import SceneError
 
-EXPECTED = FileError, SceneError, OSError, MemoryError
+EXPECTED = FileError, SceneError, OSError
 
 
 class Background:
     """Threads at work, and what they have to say."""
 
     def __init__(self, sorry):
-        """`sorry` is called with the error of work that failed as work with files does."""
+        """`sorry` is called with what to say of work that failed as work with files, or for want of memory, does."""
         self._sorry = sorry
         self._outcomes = queue.SimpleQueue()
         self._threads = []
@@ -34,6 +34,8 @@ class Background:
                 act = then and partial(then, result)
             except EXPECTED as error:
                 self._outcomes.put(partial(self._sorry, error))
+            except MemoryError:
+                self._outcomes.put(partial(self._sorry, "There is not enough memory for that."))
             finally:
                 if act:
                     self._outcomes.put(act)
