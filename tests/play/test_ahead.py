@@ -112,6 +112,16 @@ def test_it_is_said_that_nothing_will_pass(watcher):
     assert "no one neck" in watcher.toy.notices.text
 
 
+def test_an_act_that_moves_sand_past_the_neck_is_no_flow(watcher):
+    watcher.key(pygame.K_END)
+    go_on(watcher)
+    watcher.toy.do(Flip())
+    watcher.toy.ahead.await_flow()
+    watcher.toy.do(Flip())
+    go_on(watcher)
+    assert watcher.toy.notices.text == "No sand will pass the neck any more."
+
+
 def test_escape_stops_it(watcher):
     watcher.toy.do(SetRule(Rule.with_p(1e-6, "balanced")))
     watcher.key(pygame.K_END)
