@@ -3,6 +3,7 @@
 import sys
 import threading
 import time
+import tracemalloc
 
 import numpy as np
 import pygame
@@ -14,12 +15,16 @@ from game.play.files import demos
 from game.play.toy import MOST_FORMER
 from game.world import journal
 from game.world.assets import asset
+from game.world.colours import NIGHT
 from game.world.history import UNDO, Entry
 from game.world.journal import Journal
+from game.world.picture import Painter
 from game.world.picture_file import load_picture
 from game.world.places import folder_of
 from game.world.replay import save_replay
+from game.world.scene import load_scene
 from game.world.snapshot import MEGABYTE
+from game.world.view import View
 from game.world.world import World
 from tests.play.player import Player
 
@@ -394,6 +399,28 @@ def test_a_picture_of_the_sand_has_cells_of_whole_pixels(glass):
         scale = image.width // width
         assert image.size == (width * scale, height * scale)
         assert image.width < 4096
+
+
+@pytest.mark.parametrize("name", ["hourglass", "marbles"])
+def test_a_picture_of_the_sand_is_the_same_however_few_rows_are_drawn_at_a_time(monkeypatch, name):
+    world = load_scene(name).world(1)
+    how = world, 3, NIGHT, "glass"
+    whole = np.asarray(recorder._image_of_sand(*how))
+    pixels = np.zeros(whole.shape[:2], np.uint32)
+    Painter(View(world.shape, 0, 0, *pixels.shape[::-1]), *how[2:]).draw(world, pixels)
+    assert (whole == recorder._rgb(pixels)).all()
+    monkeypatch.setattr(recorder, "BAND", 7 * pixels.shape[1])
+    assert (np.asarray(recorder._image_of_sand(*how)) == whole).all()
+
+
+def test_a_picture_of_the_sand_takes_little_more_memory_than_itself():
+    side = 4096
+    world = World.from_cells(np.zeros((side, side), bool), np.zeros((side, side), bool))
+    tracemalloc.start()
+    recorder._image_of_sand(world, 1, NIGHT, "stone")
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 2 * side * side
 
 
 def test_a_recording_shows_what_followed(glass):
