@@ -45,3 +45,9 @@ def test_a_saved_file_can_be_read_by_those_who_may_read_others(tmp_path):
     save(tmp_path / "x", b"")
     (tmp_path / "y").write_bytes(b"")
     assert (tmp_path / "x").stat().st_mode == (tmp_path / "y").stat().st_mode
+
+
+def test_no_save_sets_the_umask_under_other_threads(tmp_path, monkeypatch):
+    monkeypatch.delattr(saving.os, "umask")
+    save(tmp_path / "x", b"")
+    assert (tmp_path / "x").exists()
