@@ -82,6 +82,14 @@ def test_saving_twice_keeps_both(player):
     assert len(list(folder_of("scenes").iterdir())) == 2
 
 
+def test_a_recording_and_the_past_recorded_at_one_moment_are_two_files(glass):
+    glass.wait(10)
+    for mod in (0, SHIFT, 0):
+        glass.key(pygame.K_g, mod=mod)
+    glass.settle()
+    assert len(list(folder_of("pictures").iterdir())) == 2
+
+
 def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
     player.hold_time()
     grains = []

@@ -2,10 +2,12 @@
 
 import errno
 import os
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
 from game.world import saving
+from game.world.places import new_file
 from game.world.replay import save_replay
 from game.world.saving import FileError, save
 from game.world.session import Session
@@ -51,3 +53,9 @@ def test_no_save_sets_the_umask_under_other_threads(tmp_path, monkeypatch):
     monkeypatch.delattr(saving.os, "umask")
     save(tmp_path / "x", b"")
     assert (tmp_path / "x").exists()
+
+
+def test_no_two_new_files_are_given_one_path():
+    with ThreadPoolExecutor(8) as threads:
+        paths = list(threads.map(lambda _: new_file("pictures", "x", ".gif"), range(40)))
+    assert len(set(paths)) == 40 and not any(path.exists() for path in paths)
