@@ -82,14 +82,6 @@ def test_saving_twice_keeps_both(player):
     assert len(list(folder_of("scenes").iterdir())) == 2
 
 
-def test_a_recording_and_the_past_recorded_at_one_moment_are_two_files(glass):
-    glass.wait(10)
-    for mod in (0, SHIFT, 0):
-        glass.key(pygame.K_g, mod=mod)
-    glass.settle()
-    assert len(list(folder_of("pictures").iterdir())) == 2
-
-
 def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
     player.hold_time()
     grains = []
@@ -188,16 +180,22 @@ def test_a_dropped_replay_is_played_and_left_again(player, glass, tmp_path):
     assert player.world.digest() == sand
 
 
-def test_every_shipped_replay_can_be_played_from_the_panel(player):
+def test_every_shipped_replay_can_be_played_from_the_panel_and_left_by_the_way_it_came(player):
+    player.click(player.pixel(60, 40))
     player.click(player.control("Past"))
+    sessions = [player.session]
     for number, path in enumerate(sorted(asset("replays").glob("*.sandglass"))):
         player.click(player.control("Demo"))
         player.click(player.toy.panel.ui.parts("Demo")[number + 1].center)
         player.settle()
         assert path.stem in player.toy.notices.text and player.session.reached > 0
         player.frame()
-    player.click(player.control("Back to my sand"))
-    assert not player.toy.can_leave_session or player.session.scene.name != "blank"
+        sessions.append(player.session)
+    for before in sessions[-2::-1]:
+        assert player.toy.can_leave_session
+        player.click(player.control("Back to my sand"))
+        assert player.session is before
+    assert not player.toy.can_leave_session
 
 
 def test_many_replays_take_no_more_memory_and_the_players_own_sand_stays_behind_them(player):
@@ -444,6 +442,14 @@ def test_a_recording_shows_what_followed(glass):
             image.seek(number)
             total_ms += image.info["duration"]
         assert total_ms == pytest.approx(1040, abs=80)
+
+
+def test_a_recording_and_the_past_recorded_at_one_moment_are_two_files(glass):
+    glass.wait(10)
+    for mod in (0, SHIFT, 0):
+        glass.key(pygame.K_g, mod=mod)
+    glass.settle()
+    assert len(list(folder_of("pictures").iterdir())) == 2
 
 
 def test_the_last_frame_of_the_past_recorded_is_the_sand_now(glass):
