@@ -23,6 +23,7 @@ class Ahead:
         self._reached = None  # a function of (world, rule) that says whether what is looked for is there
         self._before = None  # the course at the start of this frame
         self._where = None  # the session, its scene and the lattice in which it began
+        self._line = None  # the last act before it began
         self._narrowing = False  # the iteration is being looked for among those of the last frame
         self._start = 0  # the iteration at which it began
         self._since_s = 0.0
@@ -101,6 +102,10 @@ class Ahead:
             return 0
         if self._mode == HELD:
             return None if self._toy.session.world.activity.settled else MANY
+        if self._mode == AWAITING and timeline.history.line is not self._line:
+            self._await_anew()
+        if self._mode is None:
+            return None
         self._before = timeline.course()
         return MANY
 
@@ -139,6 +144,14 @@ class Ahead:
             self._mode, self._reached = mode, reached
             self._start, self._since_s = self._toy.session.now, time.monotonic()
             self._where = _where(self._toy.session)
+            self._line = self._toy.session.timeline.history.line
+
+    def _await_anew(self):
+        """Count from here on after an act: it may have put sand above the neck, or the neck elsewhere."""
+        here = self._where == _where(self._toy.session)
+        self.stop()
+        if here:
+            self.await_flow()
 
     def _narrow(self):
         """Find the first iteration of this frame at which it was so, beside the frames that follow."""
@@ -157,7 +170,7 @@ class Ahead:
             else:
                 self.stop()
 
-        self._toy.background.do(work, take)
+        self._toy.background.do(work, take, self.stop)
 
     def _arrive(self, at):
         """Go back from where the frame had come to, and say what it took."""

@@ -2,18 +2,19 @@
 
 import queue
 import threading
+from functools import partial
 
 from game.world.saving import FileError
 from game.world.table import SceneError
 
-EXPECTED = FileError, SceneError, OSError, MemoryError
+EXPECTED = FileError, SceneError, OSError
 
 
 class Background:
     """Threads at work, and what they have to say."""
 
     def __init__(self, sorry):
-        """`sorry` is called with the error of work that failed as work with files does."""
+        """`sorry` is called with what to say of work that failed as work with files, or for want of memory, does."""
         self._sorry = sorry
         self._outcomes = queue.SimpleQueue()
         self._threads = []
@@ -23,17 +24,21 @@ class Background:
         """Whether any work is not done, or its outcome not heard."""
         return any(thread.is_alive() for thread in self._threads) or not self._outcomes.empty()
 
-    def do(self, work, then=None):
-        """Call `work()` in a thread, and then(its result) at the next `hear` after it."""
+    def do(self, work, then=None, otherwise=None):
+        """Call `work()` in a thread, and then(its result), or otherwise() if it failed, at the next `hear` after it."""
 
         def run():
+            act = otherwise
             try:
                 result = work()
+                act = then and partial(then, result)
             except EXPECTED as error:
-                self._outcomes.put((self._sorry, error))
-            else:
-                if then:
-                    self._outcomes.put((then, result))
+                self._outcomes.put(partial(self._sorry, error))
+            except MemoryError:
+                self._outcomes.put(partial(self._sorry, "There is not enough memory for that."))
+            finally:
+                if act:
+                    self._outcomes.put(act)
 
         thread = threading.Thread(target=run, daemon=True)
         self._threads = [*(each for each in self._threads if each.is_alive()), thread]
@@ -42,11 +47,10 @@ class Background:
     def hear(self):
         """Act on the outcomes so far."""
         while not self._outcomes.empty():
-            act, outcome = self._outcomes.get()
-            act(outcome)
+            self._outcomes.get()()
 
     def finish(self):
-        """Wait for what is being written."""
+        """Wait for what is being written; nothing comes of it any more, for what would hear of it is gone."""
         for thread in self._threads:
             thread.join()
-        self.hear()
+        self._outcomes = queue.SimpleQueue()

@@ -11,6 +11,7 @@ from game.world.places import new_file
 from game.world.replay import Recording
 from game.world.scene import Scene, load_scene
 from game.world.session import Session
+from game.world.table import as_line
 
 
 def demos():
@@ -62,8 +63,9 @@ class Files:
             self._toy.photo.show(what)
         else:
             scene, seed = what if isinstance(what, Picture) else (what, self._toy.session.seed)
-            self._toy.open_scene(scene, seed)
-            self._toy.notices.say(f"Opened {name}. Ctrl+Z takes you back.")
+            opened = f"Opened {name}. Ctrl+Z takes you back."
+            waits = f"{name} was not opened: the sand is still being computed."
+            self._toy.notices.say(opened if self._toy.open_scene(scene, seed) else waits)
 
 
 def read(path):
@@ -78,4 +80,4 @@ def read(path):
         found = open_picture(path)
         if isinstance(found, Photo):
             found.picture(in_colours=True)  # which is slow for the first time, and what is shown first
-    return found, path.stem
+    return found, as_line(path.stem)

@@ -5,6 +5,8 @@ from dataclasses import replace
 from game.world.action import Reshape
 from game.world.duration import spell
 from game.world.glass import CURVE, FILL, NECK, THICKNESS
+from game.world.glass_shape import SMALLEST
+from game.world.knob import SIDE
 from game.world.maker import HEIGHT, glass_within, resized
 
 SLIDERS = (
@@ -59,7 +61,7 @@ class GlassFold:
         """Return a glass on a lattice as large as a slider can make it."""
         height, width = shape
         part = min(max(HEIGHT.low / height, 1.0), HEIGHT.high / height)
-        return glass_within(max(5, round(part * width)), round(part * height))
+        return glass_within(min(max(round(part * width), SMALLEST), SIDE.high), round(part * height))
 
     def _reshape(self, toy, glass, refill=False, join=False):
         """Put a glass in place; one whose bulb cannot hold the sand is filled anew, for nothing would flow in it."""

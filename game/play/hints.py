@@ -36,6 +36,7 @@ class Hints:
     def __init__(self, toy):
         self._toy = toy
         self._start_s = self._still_since_s = self._last_s = None
+        self._before = None, None  # the timeline and its line at the last look
 
     def look(self, now_s):
         """Show a hint, if it is the moment for one."""
@@ -49,7 +50,8 @@ class Hints:
         for hint in left:
             if hint.name == done:
                 self._remember(hint)
-            elif self._is_moment(hint, now_s):
+        for hint in left:
+            if hint.name != done and self._is_moment(hint, now_s):
                 self._toy.notices.say(hint.words)
                 self._last_s = now_s
                 self._remember(hint)
@@ -63,8 +65,15 @@ class Hints:
             self._still_since_s = now_s
 
     def _done(self):
-        """Return the name of the hint that the player's latest act made needless, or None."""
-        match self._toy.session.timeline.history.line.action:
+        """Return the name of the hint that an act since the last look made needless, or None.
+
+        What was done already in a session that has just been opened, such as a replay, is not the player's doing.
+        """
+        timeline = self._toy.session.timeline
+        before, self._before = self._before, (timeline, timeline.history.line)
+        if before[0] is not timeline or before[1] is timeline.history.line:
+            return None
+        match timeline.history.line.action:
             case Flip():
                 return "flip"
             case SetRule():

@@ -34,8 +34,8 @@ class Keeper:
             toy.background.do(partial(self._save, settings.take_unsaved()))
 
     def close(self):
-        """Save what is left."""
-        if self._toy.settings.unsaved:
+        """Save what is left, and what could not be saved before."""
+        if self._toy.settings.unsaved or self._toy.settings.owed:
             self._toy.background.do(self._toy.settings.take_unsaved())
 
     def _save(self, save):

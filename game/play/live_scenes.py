@@ -88,11 +88,14 @@ class LiveScenes:
         name = next((name for name in self._names if name not in self._lives), None)
         if name is not None and self._toy.gallery.shown and not self._making:
             self._making = True
-            self._toy.background.do(partial(Life, name, self._toy.colours), partial(self._take, name))
+            self._toy.background.do(partial(Life, name, self._toy.colours), partial(self._take, name), self._give_up)
 
     def _take(self, name, life):
         self._making, self._lives[name] = False, life
         self._make_next()
+
+    def _give_up(self):
+        self._making = False
 
 
 class Life:

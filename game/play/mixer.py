@@ -38,8 +38,8 @@ class Mixer:
             self._waiting.append((time.monotonic(), wave, volume))
 
     def close(self):
-        """Let the sound card go."""
-        if self.ready:
+        """Let the sound card go, heard of or not."""
+        if self.asked:
             self.ready = False
             pygame.mixer.quit()
 

@@ -66,10 +66,10 @@ class PhotoCard:
         return covered
 
     def _close(self, taken):
-        self._card = None
-        self._toy.refresh()
-        if taken:
-            self._toy.open_scene(self._found.scene, self._found.seed)
+        """Close the card, unless what it shows is to be taken and cannot be yet."""
+        if not taken or self._toy.open_scene(self._found.scene, self._found.seed):
+            self._card = None
+            self._toy.refresh()
 
 
 def _sprite(scene, size, colours):

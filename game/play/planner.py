@@ -5,6 +5,7 @@ import time
 from game.world.ending import Cancelled, find_ending
 
 PATIENCE_S = 0.5  # a search for what is no longer so is given up after this; a shorter one still tells the pace
+AGAIN_S = 5.0  # from a search that failed, for want of memory, to the next
 
 
 class Planner:
@@ -16,6 +17,7 @@ class Planner:
         self._of = None  # what it was found for
         self._asked = None  # what the search that goes on is for
         self._since_s = 0.0
+        self._not_before_s = 0.0  # the earliest moment of the next search
         self._cancelled = False
 
     @property
@@ -31,7 +33,7 @@ class Planner:
             return self._found
         if self._asked is not None:
             self._cancelled = self._asked != here and time.monotonic() - self._since_s > PATIENCE_S
-        elif timeline.goal is None:
+        elif timeline.goal is None and time.monotonic() >= self._not_before_s:
             self._search(here)
         return None
 
@@ -45,9 +47,12 @@ class Planner:
             except Cancelled:
                 return None
 
-        self._toy.background.do(work, self._take)
+        self._toy.background.do(work, self._take, self._give_up)
 
     def _take(self, found):
         self._asked = None
         if found is not None:
             self._of, self._found = found
+
+    def _give_up(self):
+        self._asked, self._not_before_s = None, time.monotonic() + AGAIN_S

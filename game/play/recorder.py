@@ -20,6 +20,7 @@ PAST_S = 10
 LONGEST_S = 120  # of a recording: a GIF is no film
 LARGEST_GIF = 960, 720  # pixels: a larger lattice is shown at every so many cells
 LARGEST_PICTURE = 4096  # pixels a side, of a picture of the sand with cells larger than a pixel
+BAND = 2**20  # pixels of a picture of the sand that are drawn at a time: drawing takes over twenty bytes for each
 MOST_WAITING = 50  # frames that the writer may be behind; those that come then are left out
 
 
@@ -47,33 +48,24 @@ class Recorder:
     def shoot_window(self):
         """Save a picture of the window as it is."""
         surface = self._toy.window.surface.copy()
-        self._save_picture(lambda: (pygame.image.tobytes(surface, "RGB"), surface.get_size()))
+        self._save_picture(partial(_image_of, surface))
 
     def shoot_sand(self):
         """Save a picture of the sand, its cells as many whole pixels wide as they are on the screen."""
         world = self._toy.session.world.copy()
         most = LARGEST_PICTURE // max(world.shape)
         scale = max(1, min(round(self._toy.stage.view.cell), most))
-        looks = self._looks()
-
-        def draw():
-            height, width = (side * scale for side in world.shape)
-            pixels = np.empty((height, width), np.uint32)
-            picture.Painter(View(world.shape, 0, 0, width, height), *looks).draw(world, pixels)
-            return _rgb(pixels).tobytes(), (width, height)
-
-        self._save_picture(draw)
+        self._save_picture(partial(_image_of_sand, world, scale, *self._looks()))
 
     def _save_picture(self, draw):
-        from PIL import Image
-
+        """Save the image that draw() returns, beside the frames."""
         name = self._toy.session.scene.name
 
         def work():
-            data, size = draw()
+            image = draw()
             path = new_file("pictures", name, ".png")
             try:
-                Image.frombytes("RGB", size, data).save(path)
+                image.save(path)
             except OSError as error:
                 path.unlink(missing_ok=True)
                 raise error
@@ -87,19 +79,17 @@ class Recorder:
             self.stop()
             return
         session = self._toy.session
-        self._film, self._frames = (
-            Film(session.world.shape, session.scene.cell, *self._looks()),
-            queue.Queue(MOST_WAITING),
-        )
+        self._film = Film(session.world.shape, session.scene.cell, *self._looks())
+        self._frames = frames = queue.SimpleQueue()  # without an end, so that nothing ever waits to put into it
         self._since_s = self._last_s = None
-        work = partial(_write, session.scene.name, self._film, iter(self._frames.get, None))
-        self._toy.background.do(work, self._say_where)
+        work = partial(_write, session.scene.name, self._film, iter(frames.get, None))
+        self._toy.background.do(work, self._say_where, partial(self._give_up, frames))
 
     def stop(self):
         """End the recording of what follows, if one goes on."""
         if self.going_on:
-            frames, self._frames = self._frames, None
-            self._toy.background.do(partial(frames.put, None))
+            self._frames.put(None)
+            self._frames = None
 
     def look(self, now_s):
         """Take in the sand of this frame, if it is time for one; never wait for the writer."""
@@ -112,8 +102,8 @@ class Recorder:
         world = self._toy.session.world
         if world.shape != self._film.shape or now_s - self._since_s > LONGEST_S:
             self.stop()
-        elif not self._frames.full():
-            self._frames.put_nowait((self._film.frame(world), passed_ms))
+        elif self._frames.qsize() < MOST_WAITING:
+            self._frames.put((self._film.frame(world), passed_ms))
             self._last_s = now_s
 
     def record_past(self):
@@ -144,6 +134,11 @@ class Recorder:
     def _forget_share(self):
         self._share = None
 
+    def _give_up(self, frames):
+        """End the recording whose writer has failed."""
+        if self._frames is frames:
+            self._frames = None
+
     def _say_where(self, path):
         self._toy.notices.say(f"Recorded as {path}")
 
@@ -166,6 +161,27 @@ class Film:
         """Return the frame that shows `world`."""
         self._painter.draw(world, self._pixels)
         return self._pixels.astype(np.uint8)
+
+
+def _image_of(surface):
+    from PIL import Image
+
+    return Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))
+
+
+def _image_of_sand(world, scale, colours, walls):
+    """Return an image of a world, `scale` pixels to a cell, drawn in bands for the sake of memory."""
+    from PIL import Image
+
+    height, width = (side * scale for side in world.shape)
+    painter = picture.Painter(View(world.shape, 0, 0, width, height), colours, walls)
+    image = Image.new("RGB", (width, height))
+    for top in range(0, height, max(1, BAND // width)):
+        pixels = np.empty((min(max(1, BAND // width), height - top), width), np.uint32)
+        painter.look_through(View(world.shape, 0, -top, width, height, (0, 0, width, len(pixels))))
+        painter.draw(world, pixels)
+        image.paste(Image.fromarray(_rgb(pixels)), (0, top))
+    return image
 
 
 def _write(name, film, frames, at_the_end=None):

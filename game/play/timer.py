@@ -35,7 +35,7 @@ class Timer:
         self._judged = self._told = None  # the plan last judged, and what was found wrong with it
         self._clock = self._speed = None  # the session's clock and the speed given to it
         self._chime = None  # its samples, made beside the frames
-        self._own_speed = None  # of the session, to be given back
+        self._own = None  # the clock that goes at the timer's speed, and its own, to be given back
 
     @property
     def gone_s(self):
@@ -63,8 +63,6 @@ class Timer:
 
     def start(self):
         """Start counting down."""
-        if self.state == OFF:
-            self._own_speed = self._toy.session.clock.speed
         self.state, self.said, self.error_s = RUNNING, "", None
         self._began_s, self._frozen_s = self.clock(), None
         self._pace, self._was, self._slept = None, 0.0, False
@@ -75,8 +73,7 @@ class Timer:
 
     def stop(self):
         """Stop, and give the session its own speed back."""
-        if self.state != OFF:
-            self._toy.session.clock.speed = self._own_speed
+        self._give_back()
         self.state, self.said = OFF, ""
         self._toy.glow.stop()
         self._toy.window.set_title(TITLE)
@@ -123,6 +120,9 @@ class Timer:
     def _set_speed(self):
         """Let the session's speed be what the timer makes it, so that the sand settles at that once it is through."""
         clock = self._toy.session.clock
+        if self._own is None or clock is not self._own[0]:
+            self._give_back()
+            self._own = clock, clock.speed
         if clock is self._clock and clock.speed != self._speed:
             self._toy.notices.say("The timer sets the pace; T stops it.")
         if self.wanted_s - self._pace.from_s > LAST_S:
@@ -132,6 +132,12 @@ class Timer:
         elif clock is not self._clock:
             self._speed = clock.speed
         self._clock, clock.speed = clock, self._speed
+
+    def _give_back(self):
+        """Let the clock that goes at the timer's speed go at its own again; by now another one may be played by."""
+        if self._own:
+            clock, speed = self._own
+            clock.speed, self._own = speed, None
 
     def _current(self):
         """Return the Ending that holds, or None while it is being worked out."""
@@ -154,20 +160,28 @@ class Timer:
         return ending.endless or (self._toy.session.timeline.goal is None and self._toy.session.now >= ending.at)
 
     def _end(self, now_s):
-        toy, gone_s, ending = self._toy, self.gone_s, self._current()
+        toy, gone_s = self._toy, self.gone_s
         self.state, self.error_s = OVER, gone_s - self.wanted_s
-        if self._slept:
-            self.said = f"{spell(self.wanted_s)} was over {spell(self.error_s)} ago, while the computer slept."
-        elif ending is None or ending.endless or ending.iterations == 0 or toy.session.now > ending.at:
-            self.said = f"{spell(self.wanted_s)} is over; no sand was left to tell it."
-        else:
-            self.said = f"The last grain fell at {spell(gone_s, 2)}, {self.error_s:.2f} s late."
+        self.said = self._account(self._current(), gone_s)
         self._pace = None
         toy.window.set_title(f"{spell(self.wanted_s)} is over – {TITLE}")
         toy.notices.say(self.said)
         toy.glow.start(now_s)
         if toy.settings["chime"] and self._chime is not None:
             toy.mixer.play(self._chime, toy.settings["volume"])
+
+    def _account(self, ending, gone_s):
+        """Return how exact the end was, in words."""
+        wanted = spell(self.wanted_s)
+        if self._slept:
+            return f"{wanted} was over {spell(self.error_s)} ago, while the computer slept."
+        if ending is None:
+            return f"{wanted} is over; when the sand will be through was not found in time."
+        if ending.endless:
+            return f"{wanted} is over; this sand comes to no end that can be foreseen."
+        if ending.iterations == 0 or self._toy.session.now > ending.at:
+            return f"{wanted} is over; no sand was left to tell it."
+        return f"The last grain fell at {spell(gone_s, 2)}, {self.error_s:.2f} s late."
 
     def _keep_chime(self, samples):
         self._chime = samples

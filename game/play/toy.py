@@ -181,10 +181,12 @@ class Toy:
         self.open_scene(load_scene(name), self.session.seed)
 
     def open_scene(self, scene, seed):
-        """Put a scene in place of this one; it is an act, and can be taken back."""
-        self.do(Load(scene, seed))
+        """Put a scene in place of this one; return whether that was done. It is an act, and can be taken back."""
+        if not self.do(Load(scene, seed)):
+            return False
         self.lay_out_anew()
         give_back_holes()
+        return True
 
     def open_session(self, session, keep=False):
         """Play another session, and keep this one behind it if it is asked for or anything was done in it."""

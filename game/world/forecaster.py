@@ -2,6 +2,7 @@
 
 import threading
 import time
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
@@ -88,7 +89,8 @@ class Forecaster:
 
     def _work(self):
         while asked := self._next():
-            self._answer(*asked)
+            with suppress(Cancelled, MemoryError):  # what does not fit is not answered; the next question may fit
+                self._answer(*asked)
 
     def _next(self):
         """Wait for a question and take it; return it and whether it hurries, or None when there will be none."""
@@ -121,15 +123,12 @@ class Forecaster:
             cancelled=dropped,
             fixtures=question.still.fixtures,
         )
-        try:
-            for runs, counts in growing:
-                late = time.monotonic() - begin > PATIENCE_S
-                if hurries or late or runs == question.runs:
-                    self.answer, told = answer_of(question, walls, counts, runs), True
-                if dropped() or (late and self._asked):
-                    return
-        except Cancelled:
-            pass
+        for runs, counts in growing:
+            late = time.monotonic() - begin > PATIENCE_S
+            if hurries or late or runs == question.runs:
+                self.answer, told = answer_of(question, walls, counts, runs), True
+            if dropped() or (late and self._asked):
+                return
 
 
 def answer_of(question, walls, counts, runs):

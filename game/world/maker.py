@@ -35,10 +35,7 @@ def scene_of(glass, rule=RULE, speed=knob.SPEED.default):
 
 def glass_within(width, height):
     """Return a glass of the usual shape on a lattice of that size, in cells; raise ValueError if it is too small."""
-    margins = (
-        max(0, min(round(part * side), (side - SMALLEST) // 2))
-        for part, side in zip(MARGIN, (width, height), strict=True)
-    )
+    margins = (_margin(part * side, side) for part, side in zip(MARGIN, (width, height), strict=True))
     wall = max(THICKNESS.low, THICKNESS.default * math.sqrt(height / HEIGHT.default))
     return Glass(width, height, *margins, neck=NECK.default, curve=CURVE, wall=min(wall, THICKNESS.high))
 
@@ -51,9 +48,13 @@ def glass_for(seconds):
 
 
 def resized(glass, height):
-    """Return the glass on a lattice of another height, in proportion; neck and wall keep their cells."""
+    """Return the glass on a lattice of another height, in proportion as far as a lattice and a glass can be so.
+
+    Neck and wall keep their cells.
+    """
     part = height / glass.height
-    width, across, down = (round(part * side) for side in (glass.width, glass.across, glass.down))
+    width = min(max(round(part * glass.width), SMALLEST), knob.SIDE.high)
+    across, down = _margin(part * glass.across, width), _margin(part * glass.down, height)
     return replace(glass, width=width, height=height, across=across, down=down)
 
 
@@ -62,3 +63,8 @@ def good_pace(seconds):
     (short_s, fast), (long_s, slow) = LIVELY, CALM
     part = math.log(seconds / short_s) / math.log(long_s / short_s)
     return min(max(fast * (slow / fast) ** part, SLOWEST), fast)
+
+
+def _margin(cells, side):
+    """Return a margin of about so many cells that leaves room for a glass between two of them, if `side` does."""
+    return max(0, min(round(cells), (side - SMALLEST) // 2))

@@ -2,6 +2,7 @@
 
 import os
 import re
+import threading
 from datetime import datetime
 from pathlib import Path
 
@@ -10,6 +11,8 @@ from platformdirs import user_config_dir, user_data_dir
 from game.world.saving import trouble
 
 LONGEST_NAME = 40  # characters of a file's name, without time and suffix
+
+_given, _giving = set(), threading.Lock()  # the paths that were returned for new files, one thread at a time
 
 
 def folder_of(kind):
@@ -25,7 +28,10 @@ def config_file():
 
 
 def new_file(kind, name, suffix):
-    """Return a path for a new file, made of a name and the time; its folder is made. Raises FileError."""
+    """Return a path for a new file, made of a name and the time; its folder is made. Raises FileError.
+
+    No path is returned twice, be it that its file is still to be written.
+    """
     folder = folder_of(kind)
     try:
         folder.mkdir(parents=True, exist_ok=True)
@@ -33,10 +39,12 @@ def new_file(kind, name, suffix):
         raise trouble(folder, "cannot make the folder", error) from None
     plain = re.sub(r"[^\w-]+", "-", _without_time(name)).strip("-")[:LONGEST_NAME] or "sand"
     stem = f"{plain} {datetime.now():%Y-%m-%d %H.%M.%S}"
-    path, number = folder / f"{stem}{suffix}", 1
-    while path.exists():
-        number += 1
-        path = folder / f"{stem} {number}{suffix}"
+    with _giving:
+        path, number = folder / f"{stem}{suffix}", 1
+        while path in _given or path.exists():
+            number += 1
+            path = folder / f"{stem} {number}{suffix}"
+        _given.add(path)
     return path
 
 

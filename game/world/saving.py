@@ -6,6 +6,15 @@ import tempfile
 from pathlib import Path
 
 
+def _umask():
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask
+
+
+UMASK = _umask()  # of this process, read once: that sets it for a moment, which two threads must not do at once
+
+
 class FileError(ValueError):
     """What is wrong with a file, as one line: FILE: PLACE: found X, wanted Y."""
 
@@ -31,7 +40,7 @@ def save(path, data):
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        os.chmod(temporary, 0o666 & ~_umask())
+        os.chmod(temporary, 0o666 & ~UMASK)
         os.replace(temporary, path)
         sync_folder(path.parent)
     except (OSError, ValueError) as error:
@@ -67,9 +76,3 @@ def sync_folder(folder):
         os.fsync(handle)
     finally:
         os.close(handle)
-
-
-def _umask():
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask

@@ -47,6 +47,7 @@ class Settings:
         self._values = {}  # those that are not left at their defaults
         self._overrides = {}
         self._unsaved = {}
+        self._owed = {}  # what could not be saved: it goes with what is saved next
         if path is not None:
             self._read()
 
@@ -73,10 +74,24 @@ class Settings:
         """Whether anything was changed and is not on its way to the file."""
         return bool(self._unsaved) and self.path is not None
 
+    @property
+    def owed(self):
+        """Whether anything that was changed could not be saved so far."""
+        return bool(self._owed) and self.path is not None
+
     def take_unsaved(self):
         """Return a function that saves what was changed, in any thread; it raises FileError if that is not possible."""
-        changed, self._unsaved = self._unsaved, {}
-        return lambda: self._save(changed)
+        changed = self._owed | self._unsaved
+        self._owed, self._unsaved = {}, {}
+
+        def save():
+            try:
+                self._save(changed)
+            except FileError:
+                self._owed = changed
+                raise
+
+        return save
 
     def _read(self):
         try:
@@ -92,7 +107,13 @@ class Settings:
 
     def _kept(self):
         """Return what the file holds now; raise FileError if it cannot be read."""
-        return read_lines(load(self.path, LARGEST_FILE), self.rows) if self.path.exists() else Kept()
+        try:
+            self.path.stat()
+        except (FileNotFoundError, NotADirectoryError):
+            return Kept()
+        except OSError as error:
+            raise trouble(self.path, "cannot read", error) from None
+        return read_lines(load(self.path, LARGEST_FILE), self.rows)
 
     def _save(self, changed):
         """Put what was changed into the file, in which another window may have changed something else meanwhile."""

@@ -3,6 +3,7 @@
 import pygame
 import pytest
 
+from game.play import ahead, planner
 from game.world.action import Flip, SetRule
 from game.world.ending import at_rest, find_ending
 from game.world.maker import scene_of
@@ -129,6 +130,16 @@ def test_it_is_said_that_nothing_will_pass(watcher):
     assert "no one neck" in watcher.toy.notices.text
 
 
+def test_an_act_that_moves_sand_past_the_neck_is_no_flow(watcher):
+    watcher.key(pygame.K_END)
+    go_on(watcher)
+    watcher.toy.do(Flip())
+    watcher.toy.ahead.await_flow()
+    watcher.toy.do(Flip())
+    go_on(watcher)
+    assert watcher.toy.notices.text == "No sand will pass the neck any more."
+
+
 def test_escape_stops_it(watcher):
     watcher.toy.do(SetRule(Rule.with_p(1e-6, "balanced")))
     watcher.key(pygame.K_END)
@@ -178,3 +189,32 @@ def test_an_act_while_the_iteration_is_looked_for_ends_the_search(watcher):
     watcher.toy.do(SetRule(Rule.with_p(0.25)))
     watcher.settle()
     assert watcher.toy.ahead.due() is None
+
+
+def without_memory_once(monkeypatch, module, name):
+    """Let a module's function find no memory when it is called for the first time."""
+    function, rooms = getattr(module, name), [MemoryError]
+
+    def tried(*arguments):
+        if rooms:
+            raise rooms.pop()
+        return function(*arguments)
+
+    monkeypatch.setattr(module, name, tried)
+
+
+def test_a_plan_for_which_there_was_no_memory_is_made_later(watcher, monkeypatch):
+    without_memory_once(monkeypatch, planner, "find_ending")
+    monkeypatch.setattr(planner, "AGAIN_S", 0.0)
+    for newest in (False, True):
+        watcher.toy.planner.ask()
+        watcher.settle()
+        assert (watcher.toy.planner.newest is not None) == newest
+    assert "not enough memory" in watcher.toy.notices.text
+
+
+def test_an_iteration_for_which_there_was_no_memory_lets_time_go_on(watcher, monkeypatch):
+    without_memory_once(monkeypatch, ahead, "first_moment")
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    go_on(watcher, frames=50)
+    assert "not enough memory" in watcher.toy.notices.text

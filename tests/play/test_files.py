@@ -1,6 +1,9 @@
 """Files in and out of the window: saved scenes, dropped files, journals, pictures and recordings."""
 
+import sys
+import threading
 import time
+import tracemalloc
 
 import numpy as np
 import pygame
@@ -12,17 +15,23 @@ from game.play.files import demos
 from game.play.toy import MOST_FORMER
 from game.world import journal
 from game.world.assets import asset
+from game.world.colours import NIGHT
 from game.world.history import UNDO, Entry
 from game.world.journal import Journal
+from game.world.picture import Painter
 from game.world.picture_file import load_picture
 from game.world.places import folder_of
 from game.world.replay import save_replay
+from game.world.scene import load_scene
 from game.world.snapshot import MEGABYTE
+from game.world.view import View
 from game.world.world import World
 from tests.play.player import Player
 
 CTRL = pygame.KMOD_LCTRL
 SHIFT = pygame.KMOD_LSHIFT
+UNSPELLED = "caf\udce9.png"  # as Python tells a name of bytes that are no letters in UTF-8
+on_linux = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere no file can have such a name")
 
 
 def save(player):
@@ -134,6 +143,16 @@ def test_a_folder_that_cannot_be_written_costs_a_line_and_no_sand(player, own_fo
     assert "cannot make the folder" in player.toy.notices.text and player.world.grains == grains
 
 
+@on_linux
+def test_a_file_whose_name_spells_no_letters_is_listed(player):
+    save(player)
+    the_file("scenes").rename(folder_of("scenes") / UNSPELLED)
+    player.key(pygame.K_o, mod=CTRL)
+    player.settle()
+    player.wait(1)
+    assert player.toy.gallery.shelf.picture(0)
+
+
 # --- what is dropped ---
 
 
@@ -170,16 +189,22 @@ def test_a_dropped_replay_is_played_and_left_again(player, glass, tmp_path):
     assert player.world.digest() == sand
 
 
-def test_every_shipped_replay_can_be_played_from_the_panel(player):
+def test_every_shipped_replay_can_be_played_from_the_panel_and_left_by_the_way_it_came(player):
+    player.click(player.pixel(60, 40))
     player.click(player.control("Past"))
+    sessions = [player.session]
     for number, path in enumerate(sorted(asset("replays").glob("*.sandglass"))):
         player.click(player.control("Demo"))
         player.click(player.toy.panel.ui.parts("Demo")[number + 1].center)
         player.settle()
         assert path.stem in player.toy.notices.text and player.session.reached > 0
         player.frame()
-    player.click(player.control("Back to my sand"))
-    assert not player.toy.can_leave_session or player.session.scene.name != "blank"
+        sessions.append(player.session)
+    for before in sessions[-2::-1]:
+        assert player.toy.can_leave_session
+        player.click(player.control("Back to my sand"))
+        assert player.session is before
+    assert not player.toy.can_leave_session
 
 
 def test_many_replays_take_no_more_memory_and_the_players_own_sand_stays_behind_them(player):
@@ -217,6 +242,52 @@ def test_a_photo_can_be_left(player, tmp_path):
     player.drop(tmp_path / "grey.png")
     player.key(pygame.K_ESCAPE)
     assert not player.toy.photo.shown and player.session.scene.name == "blank" and player.toy.running
+
+
+@on_linux
+@pytest.mark.parametrize("length", [1, 240])
+def test_what_was_opened_from_a_file_of_any_name_is_saved_and_gone_on_with(player, tmp_path, length):
+    photo = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
+    Image.fromarray(photo).save(tmp_path / "grey.png")
+    path = (tmp_path / "grey.png").rename(tmp_path / (length * "g" + UNSPELLED))
+    player.toy.recovery.start()
+    player.hold_time()
+    player.drop(path)
+    player.wait(1)
+    player.key(pygame.K_RETURN)
+    player.frame()
+    save(player)
+    sand = player.session.scene.sand
+    assert (load_picture(the_file("scenes")).scene.sand == player.world.sand).all()
+    crash(player)
+    recording = Journal.resume(next(journal.unfinished()))[1]
+    assert recording.problem is None and (recording.entries[-1].what.scene.sand == sand).all()
+
+
+@pytest.fixture
+def late(glass, monkeypatch):
+    """Return a player whose sand is on its way to another moment, and stays there."""
+    glass.wait(30)
+    monkeypatch.setattr(type(glass.session.timeline), "catch_up", lambda *_: None)
+    glass.session.timeline.goal = 1
+    return glass
+
+
+def test_a_file_is_not_said_to_be_opened_where_the_sand_could_not_give_way(late, tmp_path):
+    before = late.session.scene
+    (tmp_path / "two.toml").write_text('cells = """\no.o\n###\n"""\n')
+    late.drop(tmp_path / "two.toml")
+    assert "two was not opened" in late.toy.notices.text and late.session.scene is before
+
+
+def test_a_photo_waits_until_the_sand_can_give_way_to_it(late, tmp_path):
+    Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
+    late.drop(tmp_path / "grey.png")
+    late.key(pygame.K_RETURN)
+    assert late.toy.photo.shown
+    late.session.timeline.goal = None
+    late.key(pygame.K_RETURN)
+    assert not late.toy.photo.shown and late.session.scene.shape == (48, 64)
 
 
 @pytest.mark.parametrize("name", ("bad.toml", "bad.sandglass", "bad.png", "bad.txt", "gone.toml", "gone.jpg", ""))
@@ -315,6 +386,16 @@ def test_leaving_ends_the_journal(player):
     assert not player.toy.running and next(journal.unfinished(), None) is None
 
 
+def test_a_file_that_is_read_when_the_window_closes_is_not_played_any_more(player):
+    player.toy.recovery.start()
+    player.settle()
+    before = player.session
+    path = asset("replays", f"{demos()[0]}.sandglass")
+    player.frame(pygame.event.Event(pygame.DROPFILE, file=str(path)), pygame.event.Event(pygame.QUIT))
+    player.toy.close()
+    assert player.session is before and next(journal.unfinished(), None) is None
+
+
 # --- pictures and recordings ---
 
 
@@ -336,6 +417,28 @@ def test_a_picture_of_the_sand_has_cells_of_whole_pixels(glass):
         assert image.width < 4096
 
 
+@pytest.mark.parametrize("name", ["hourglass", "marbles"])
+def test_a_picture_of_the_sand_is_the_same_however_few_rows_are_drawn_at_a_time(monkeypatch, name):
+    world = load_scene(name).world(1)
+    how = world, 3, NIGHT, "glass"
+    whole = np.asarray(recorder._image_of_sand(*how))
+    pixels = np.zeros(whole.shape[:2], np.uint32)
+    Painter(View(world.shape, 0, 0, *pixels.shape[::-1]), *how[2:]).draw(world, pixels)
+    assert (whole == recorder._rgb(pixels)).all()
+    monkeypatch.setattr(recorder, "BAND", 7 * pixels.shape[1])
+    assert (np.asarray(recorder._image_of_sand(*how)) == whole).all()
+
+
+def test_a_picture_of_the_sand_takes_little_more_memory_than_itself():
+    side = 4096
+    world = World.from_cells(np.zeros((side, side), bool), np.zeros((side, side), bool))
+    tracemalloc.start()
+    recorder._image_of_sand(world, 1, NIGHT, "stone")
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 2 * side * side
+
+
 def test_a_recording_shows_what_followed(glass):
     glass.key(pygame.K_g)
     glass.wait(60)
@@ -349,6 +452,14 @@ def test_a_recording_shows_what_followed(glass):
             image.seek(number)
             total_ms += image.info["duration"]
         assert total_ms == pytest.approx(1040, abs=80)
+
+
+def test_a_recording_and_the_past_recorded_at_one_moment_are_two_files(glass):
+    glass.wait(10)
+    for mod in (0, SHIFT, 0):
+        glass.key(pygame.K_g, mod=mod)
+    glass.settle()
+    assert len(list(folder_of("pictures").iterdir())) == 2
 
 
 def test_the_last_frame_of_the_past_recorded_is_the_sand_now(glass):
@@ -375,6 +486,18 @@ def test_no_frame_waits_for_the_writer(glass, monkeypatch):
         glass.frame(elapsed_ns=40_000_000)
     assert time.perf_counter() - start < 40 * 0.2 / 2
     glass.toy.recorder.stop()
+
+
+def test_a_recording_that_cannot_be_written_costs_a_line_and_keeps_no_window_open(glass, own_folder):
+    own_folder.write_text("a file where the folder should be")
+    glass.key(pygame.K_g)
+    glass.settle()
+    glass.wait(recorder.MOST_WAITING * 3)
+    assert "cannot make the folder" in glass.toy.notices.text and not glass.toy.recorder.said
+    closing = threading.Thread(target=glass.toy.close, daemon=True)
+    closing.start()
+    closing.join(10)
+    assert not closing.is_alive()
 
 
 def test_a_still_picture_is_written_once(player):

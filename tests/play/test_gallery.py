@@ -128,3 +128,10 @@ def test_a_frame_of_the_gallery_keeps_its_budget(player):
         player.frame()
         took.append(time.perf_counter() - start)
     assert np.percentile(took, 25) < 0.016
+
+
+def test_no_world_is_made_for_a_gallery_whose_window_was_closed(player):
+    player.key(pygame.K_F2)
+    player.frame(pygame.event.Event(pygame.QUIT))
+    player.toy.close()
+    assert len(player.toy.gallery.shelf._lives) < len(scene_names()) and not player.toy.background.busy

@@ -5,6 +5,8 @@ import pytest
 
 from game.play.glass_fold import running_time
 from game.world.ending import find_ending
+from game.world.maker import HEIGHT
+from game.world.scene import load_scene
 from tests.play.player import Player
 
 
@@ -81,6 +83,17 @@ def test_any_scene_can_become_a_glass(maker):
     grains = maker.world.grains
     maker.click(maker.control("Make a glass"))
     assert maker.session.scene.glass is not None and maker.world.grains == grains
+
+
+@pytest.mark.parametrize("size", [(64, 600), (100, 1000), (16384, 16), (3, 30)])
+def test_a_lattice_of_any_proportions_becomes_a_glass_of_any_size(maker, size):
+    maker.toy.open_scene(load_scene("blank", size), 1)
+    maker.wait(1)
+    maker.click(maker.control("Make a glass"))
+    maker.wait(1)
+    for start, end, height in ((0.4, -0.1, HEIGHT.low), (0.6, 1.1, HEIGHT.high)):
+        drag(maker, "Glass size", start, end)
+        assert maker.session.scene.glass.height == maker.world.shape[0] == height
 
 
 def test_a_glass_that_was_made_is_saved_like_any_scene(maker):

@@ -3,6 +3,7 @@
 import pygame
 import pytest
 
+from game.play.files import demos
 from game.play.hints import APART_S, HINTS
 from game.play.keys import CTRL
 from game.world.settings import Settings
@@ -43,6 +44,16 @@ def test_who_knows_is_not_told(glass):
     glass.click(glass.control("p", 0.3))
     assert said(glass, 120) == []
     assert set(glass.toy.settings["hints_seen"]) == {hint.name for hint in HINTS}
+
+
+def test_what_is_done_in_a_replay_is_not_known_to_who_looks_on(glass):
+    for name in demos():
+        glass.toy.files.play_demo(name)
+        glass.settle()
+        glass.wait(3)
+    assert glass.toy.settings["hints_seen"] == ()
+    glass.key(pygame.K_f)
+    assert glass.toy.settings["hints_seen"] == ("flip",)
 
 
 @pytest.mark.parametrize("code", [pygame.K_F1, pygame.K_F2])

@@ -60,3 +60,20 @@ def test_a_folder_that_cannot_be_made_is_told_once_and_the_sand_goes_on(remember
     before = player.world.iteration
     player.wait(10)
     assert player.world.iteration > before
+
+
+@pytest.mark.parametrize("ends", [False, True])
+def test_what_could_not_be_saved_is_saved_with_the_next_change_or_at_the_end(remembering, ends):
+    config_file().parent.write_text("in the way")
+    player = remembering()
+    player.toy.settings["theme"] = "day"
+    player.wait(70)
+    player.settle()
+    config_file().parent.unlink()
+    if ends:
+        player.toy.close()
+    else:
+        player.toy.settings["volume"] = 0.25
+        player.wait(70)
+        player.settle()
+    assert Settings.of_user()["theme"] == "day"

@@ -7,7 +7,7 @@ import pytest
 from game.play.chime import LENGTH_S, chime
 from game.play.mixer import RATE
 from game.play.pace import Pace
-from game.play.timer import OFF, OVER, RUNNING
+from game.play.timer import OFF, OVER, PATIENCE_S, RUNNING
 from game.play.ui.sliders import HANDLE
 from game.world.action import Load, SetRule
 from game.world.maker import scene_of
@@ -214,7 +214,14 @@ def test_a_scene_without_end_is_told_of(waiting, monkeypatch):
     waiting.start(2)
     assert "does not come to an end" in waiting.toy.notices.text
     waiting.run_out()
-    assert waiting.timer.error_s <= FRAME_S + 1e-6
+    assert waiting.timer.error_s <= FRAME_S + 1e-6 and "no end that can be foreseen" in waiting.timer.said
+
+
+def test_an_end_that_was_not_found_in_time_is_told_as_such(waiting, monkeypatch):
+    monkeypatch.setattr(waiting.toy.planner, "ask", lambda: None)
+    waiting.start(1)
+    waiting.pass_time(PATIENCE_S + 1.5)
+    assert waiting.timer.state == OVER and "was not found in time" in waiting.timer.said
 
 
 def test_the_title_counts_down(waiting):
@@ -237,6 +244,33 @@ def test_stopping_gives_the_speed_back(waiting):
     waiting.pass_time(0.3)
     assert waiting.session.clock.speed != speed
     waiting.key(pygame.K_t, "t")
+    assert waiting.session.clock.speed == speed
+
+
+def test_another_scene_gets_its_own_speed_back_and_not_that_of_the_one_before(waiting):
+    waiting.start(30)
+    waiting.pass_time(0.3)
+    waiting.toy.load("clocks")
+    waiting.plan()
+    waiting.pass_time(0.3)
+    assert waiting.session.clock.speed != waiting.session.scene.speed
+    waiting.key(pygame.K_t, "t")
+    assert waiting.session.clock.speed == waiting.session.scene.speed
+
+
+@pytest.mark.parametrize("stopped_there", [True, False])
+def test_a_session_that_was_left_gets_its_speed_back(waiting, stopped_there):
+    speed = waiting.session.clock.speed
+    waiting.start(30)
+    waiting.pass_time(0.3)
+    waiting.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
+    waiting.plan()
+    waiting.pass_time(0.3)
+    if stopped_there:
+        waiting.key(pygame.K_t, "t")
+    waiting.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
+    if not stopped_there:
+        waiting.key(pygame.K_t, "t")
     assert waiting.session.clock.speed == speed
 
 

@@ -39,12 +39,16 @@ def test_a_tap_pours_into_its_empty_cells_and_a_drain_swallows_sand_alone():
 
 
 @pytest.mark.parametrize("every", [1, 3, 10])
-def test_a_tap_acts_once_in_so_many_iterations(every):
+def test_a_tap_pours_once_in_so_many_iterations_if_its_cell_is_empty_then(every):
     world = World.from_cells(np.zeros((200, 4), bool), np.zeros((200, 4), bool))
     world.fixtures = (Fixture(TAP, 1, 0, 1, 1, every),)
+    twin, empty = world.copy(), 0
+    for at in range(60):
+        empty += at % every == 0 and not twin.sand[0, 1]
+        advance(twin, RULE, 1)
     poured, swallowed = map(sum, advance(world, RULE, 60))
-    assert (poured, swallowed) == (len(range(0, 60, every)), 0) or every == 1
-    assert poured == world.grains
+    assert (poured, swallowed) == (empty, 0) and poured == world.grains
+    assert empty == {1: 31, 3: 20, 10: 6}[every]
 
 
 @steady

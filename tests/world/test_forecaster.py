@@ -123,6 +123,21 @@ def test_a_question_that_nobody_asks_any_more_is_dropped(asked, monkeypatch):
     assert counting.dropped == 1 and one.answer is None
 
 
+def test_a_forecast_that_does_not_fit_in_memory_keeps_none_from_the_next(asked):
+    world, rooms = random_world(np.random.default_rng(80), 6, 6), [MemoryError]
+
+    def counting(*arguments, **named):
+        if rooms:
+            raise rooms.pop()
+        yield from growing_counts(*arguments, **named)
+
+    one = asked(counting)
+    one.ask(question_of(world))
+    wait_for(lambda: not one.working)
+    one.ask(question_of(world, ahead=7))
+    wait_for(lambda: one.answer and one.answer.question.ahead == 7)
+
+
 def test_closing_ends_the_thread_in_the_middle_of_a_run(asked):
     world, one = random_world(np.random.default_rng(76), 40, 40, walls=0.0), asked()
     one.ask(question_of(world, ahead=10_000, runs=10**9))

@@ -2,10 +2,12 @@
 
 import errno
 import os
+from concurrent.futures import ThreadPoolExecutor
 
 import pytest
 
 from game.world import saving
+from game.world.places import new_file
 from game.world.replay import save_replay
 from game.world.saving import FileError, save
 from game.world.session import Session
@@ -45,3 +47,15 @@ def test_a_saved_file_can_be_read_by_those_who_may_read_others(tmp_path):
     save(tmp_path / "x", b"")
     (tmp_path / "y").write_bytes(b"")
     assert (tmp_path / "x").stat().st_mode == (tmp_path / "y").stat().st_mode
+
+
+def test_no_save_sets_the_umask_under_other_threads(tmp_path, monkeypatch):
+    monkeypatch.delattr(saving.os, "umask")
+    save(tmp_path / "x", b"")
+    assert (tmp_path / "x").exists()
+
+
+def test_no_two_new_files_are_given_one_path():
+    with ThreadPoolExecutor(8) as threads:
+        paths = list(threads.map(lambda _: new_file("pictures", "x", ".gif"), range(40)))
+    assert len(set(paths)) == 40 and not any(path.exists() for path in paths)

@@ -1,5 +1,6 @@
 """Laws of the settings: what was set is found again, whatever else happens to the file."""
 
+import errno
 import os
 import threading
 import tomllib
@@ -152,6 +153,15 @@ def test_a_file_that_cannot_be_read_or_written_is_told_in_one_line(tmp_path, mon
         other.take_unsaved()()
     monkeypatch.setattr(module, "LARGEST_FILE", 100)
     assert "at most 100 bytes" in edited(tmp_path / "large.toml", "#" * 101).problem
+
+
+def test_a_folder_that_is_closed_to_the_user_gives_the_defaults_and_a_line(path, monkeypatch):
+    def denied(*_, **__):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
+
+    monkeypatch.setattr(type(path), "stat", denied)
+    found = Settings(path)
+    assert found["theme"] == "night" and "cannot read: permission denied" in found.problem
 
 
 WHOLE = b'version = 1\ntheme = "day"\nui_scale = 1.5\nhints_seen = ["paint", "flip"]\nother = 3\nsound = true\n'

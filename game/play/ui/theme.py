@@ -70,11 +70,11 @@ class Theme:
 
     def _width(self, text, size):
         """Return the width in pixels of one line of text."""
-        return self._fonts[size].size(text)[0]
+        return self._fonts[size].size(_spelled(text))[0]
 
     def _words(self, text, size, colour):
         """Return one line of text as a surface."""
-        return self._fonts[size].render(text, True, self.rgb(colour))
+        return self._fonts[size].render(_spelled(text), True, self.rgb(colour))
 
     def _fitted(self, text, size, width):
         """Return `text`, cut and ended with … where it is wider than `width` pixels."""
@@ -128,6 +128,11 @@ def theme_of(scale, colours):
     if len(_kept) > MOST_KEPT:
         del _kept[next(iter(_kept))]
     return theme
+
+
+def _spelled(text):
+    """Return `text` with ? for each byte of a file's name that spells no letter; no font takes such a text as it is."""
+    return text.encode("utf-8", "replace").decode()
 
 
 def _smooth(size, colour, draw):
