@@ -20,8 +20,8 @@ class Hearing:
     def hear(self, event):
         """Let the part that an event is meant for act on it."""
         toy, event = self._toy, self._toy.stage.own(event)
-        if event.type == pygame.KEYUP:
-            self._down.pop(event.key, None)
+        if event.type != pygame.KEYDOWN:
+            self.note(event)
         if event.type == pygame.QUIT:
             toy.running = False
         elif any(each.hear(event) for each in self.first):
@@ -32,7 +32,6 @@ class Hearing:
             toy.brush.resize(event.y)
         elif event.type == pygame.WINDOWFOCUSLOST:
             toy.let_go()
-            self._down.clear()
         elif event.type in (pygame.WINDOWEXPOSED, pygame.WINDOWSIZECHANGED):
             toy.lay_out_anew()
         elif event.type == pygame.DROPFILE:
@@ -50,8 +49,17 @@ class Hearing:
             getattr(toy.commands, name)(*words)
         self.repeats = False
 
+    def note(self, event):
+        """Note which keys are held, those that something else has taken among them."""
+        if event.type == pygame.KEYDOWN:
+            self._down.setdefault(event.key, self._toy.session)
+        elif event.type == pygame.KEYUP:
+            self._down.pop(event.key, None)
+        elif event.type == pygame.WINDOWFOCUSLOST:
+            self._down.clear()
+
     def has_down(self, key):
-        """Return whether a key is held that went down for a command."""
+        """Return whether a key is held since an earlier frame, or for a command."""
         return key in self._down
 
     def follow(self, mouse_pos):

@@ -253,9 +253,11 @@ class Toy:
         self._now_s, self._has_waited = now_s, False
         self._fit()
         self.background.hear()
-        events = self.cursor.listen(self._left_by_overlays(events, now_s, mouse_pos))
-        for event in self._lay_out_panel(events, now_s, mouse_pos):
+        left = self.cursor.listen(self._left_by_overlays(events, now_s, mouse_pos))
+        for event in self._lay_out_panel(left, now_s, mouse_pos):
             self.hearing.hear(event)
+        for event in events:
+            self.hearing.note(event)
         self._let_go_of_hidden()
         self.paint(self.brush.hold())
         self.hearing.follow(mouse_pos)

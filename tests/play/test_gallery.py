@@ -51,6 +51,16 @@ def test_the_sand_goes_on_behind_the_gallery_and_nobody_can_touch_it_there(playe
     assert gallery.shown and player.world.iteration > at and len(player.session.timeline.history.story()) == 0
 
 
+def test_a_key_held_longer_than_the_page_is_open_does_no_more(player):
+    gallery = looked_at(player)
+    for _ in range(3):
+        player.press(pygame.K_ESCAPE)
+    assert not gallery.shown and player.toy.running
+    player.release(pygame.K_ESCAPE)
+    player.key(pygame.K_ESCAPE)
+    assert not player.toy.running
+
+
 def test_the_wheel_scrolls_along_its_own_axis_only(player):
     player.toy.settings.override("ui_scale", 3)
     gallery = looked_at(player)
