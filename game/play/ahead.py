@@ -6,11 +6,20 @@ import pygame
 
 from game.world.ending import at_rest, first_moment
 from game.world.neck import find_neck
+from game.world.session import FRAMES_PER_SECOND
 
 MANY = 2**50  # iterations: more than any frame holds
 SHORTEST_S = 0.3  # what takes less needs no word while it goes on
 
-HELD, SETTLING, AWAITING = "held", "settling", "awaiting"
+FIRST_STEP, GROWTH = 4, 1.1  # times the usual iterations of a frame at first, and from frame to frame, while held:
+# one can see a glass run out, and yet after a second and a half all that a frame holds is computed
+
+HELD, RESTING, SETTLING, AWAITING = (
+    "held",
+    "resting",
+    "settling",
+    "awaiting",
+)  # resting: let go when all had come to rest
 
 
 class Ahead:
@@ -26,6 +35,8 @@ class Ahead:
         self._line = None  # the last act before it began
         self._narrowing = False  # the iteration is being looked for among those of the last frame
         self._start = 0  # the iteration at which it began
+        self._step = 0.0  # iterations of a frame while the key is held
+        self._rested = None  # the last act before all came to rest under the key that is held
         self._since_s = 0.0
 
     @property
@@ -41,6 +52,7 @@ class Ahead:
         gone = f"{self._toy.session.now - self._start:,} iterations"
         return {
             HELD: "Fast forward",
+            RESTING: "",
             SETTLING: f"Settling: {gone}    Esc stops it",
             AWAITING: f"Until the sand flows: {gone}    Esc stops it",
         }[self._mode]
@@ -52,7 +64,7 @@ class Ahead:
         alone = event.type == pygame.KEYUP or not event.mod & ~pygame.KMOD_NUM & ~pygame.KMOD_CAPS
         if event.key == pygame.K_RIGHT and alone:
             return self._hear_key(event)
-        if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and self._mode not in (None, HELD):
+        if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and self._mode in (SETTLING, AWAITING):
             self._toy.notices.say(f"Stopped after {self._toy.session.now - self._start:,} iterations.")
             self.stop()
             return True
@@ -62,14 +74,14 @@ class Ahead:
         """End what lasts while a key or the panel's button is held."""
         self._by_button = False
         if self.held:
-            self.stop()
+            self._release()
 
     def hold(self, down):
         """Hear whether the panel's button is down."""
         if down and self._mode is None:
-            self._begin(HELD, None)
+            self._begin(HELD, at_rest)
         elif not down and self._by_button and self.held:
-            self.stop()
+            self._release()
         self._by_button = down
 
     def settle(self):
@@ -100,14 +112,17 @@ class Ahead:
             return None
         if self._narrowing:
             return 0
-        if self._mode == HELD:
-            return None if self._toy.session.world.activity.settled else MANY
+        if self._mode == HELD and timeline.history.line is self._rested:
+            return None
         if self._mode == AWAITING and timeline.history.line is not self._line:
             self._await_anew()
         if self._mode is None:
             return None
         self._before = timeline.course()
-        return MANY
+        if self._mode != HELD:
+            return MANY
+        self._step *= GROWTH
+        return int(min(self._step, MANY))
 
     def look(self, now_s):
         """See what a frame has come to."""
@@ -130,18 +145,27 @@ class Ahead:
         if event.type == pygame.KEYUP:
             was = self.held
             if was:
-                self.stop()
+                self._release()
             return was
         if self._toy.panel.ui.wants_keys or self._toy.hearing.has_down(pygame.K_RIGHT):
             return False
         if self._mode is None:
-            self._begin(HELD, None)
+            self._begin(HELD, at_rest)
         return self.held
+
+    def _release(self):
+        """End what the key held; where all came to rest is still looked for."""
+        if self._narrowing:
+            self._mode = RESTING
+        else:
+            self.stop()
 
     def _begin(self, mode, reached):
         self.stop()
         if self._toy.is_there():
             self._mode, self._reached = mode, reached
+            self._rested = None
+            self._step = FIRST_STEP * max(1.0, self._toy.session.clock.speed / FRAMES_PER_SECOND)
             self._start, self._since_s = self._toy.session.now, time.monotonic()
             self._where = _where(self._toy.session)
             self._line = self._toy.session.timeline.history.line
@@ -177,6 +201,12 @@ class Ahead:
         session, took_s = self._toy.session, time.monotonic() - self._since_s
         session.seek(at, self._toy.SEEK_NS)
         session.timeline.forget_beyond()
+        if self._mode == HELD:
+            self._before, self._narrowing, self._rested = None, False, session.timeline.history.line
+        if self._mode in (HELD, RESTING):
+            if self._mode == RESTING:
+                self.stop()
+            return
         gone = f"{at - self._start:,} iterations, computed in {took_s:.2f} s."
         said = {SETTLING: "Nothing can move any more after", AWAITING: "A grain passes the neck after"}[self._mode]
         self._toy.notices.say("Nothing can move here." if at == self._start else f"{said} {gone}")

@@ -12,11 +12,10 @@ from game.play.toy import Toy
 from game.play.ui.theme import Theme
 from game.play.window import NoDisplayError, Window, desktop_size
 from game.world.companion import Worker, steps_to_play
+from game.world.session import FRAMES_PER_SECOND
 from game.world.view import View
 
 __all__ = ["NoDisplayError", "play"]
-
-FRAMES_PER_SECOND = 60
 
 
 def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording=None, timer_s=None):

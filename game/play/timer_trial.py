@@ -16,7 +16,6 @@ from pathlib import Path
 import numpy as np
 import pygame
 
-from game.play.loop import FRAMES_PER_SECOND
 from game.play.timer import RUNNING
 from game.play.toy import Toy
 from game.play.wall_clock import wall_clock
@@ -26,6 +25,7 @@ from game.world.maker import glass_for, scene_of
 from game.world.prepare import later_steps, steps
 from game.world.rule import Rule
 from game.world.scene import load_scene
+from game.world.session import FRAMES_PER_SECOND
 
 ALLOWED_S = 0.1  # beyond one frame
 WINDOW = 1280, 720  # pixels

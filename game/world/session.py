@@ -7,7 +7,8 @@ from game.world.history import REDO, UNDO, WAIT, Entry
 from game.world.saving import FileError
 from game.world.timeline import Timeline
 
-BUDGET_NS = 16_000_000  # what a frame may take, 60 of them being shown in a second
+FRAMES_PER_SECOND = 60  # shown
+BUDGET_NS = 16_000_000  # what a frame may take
 
 
 class Session:

@@ -1,5 +1,6 @@
 """Time that runs ahead: it computes what would have come anyway, and stops at the very iteration that was wanted."""
 
+import numpy as np
 import pygame
 import pytest
 
@@ -50,6 +51,34 @@ def test_a_held_key_runs_as_many_iterations_as_frames_hold(watcher):
     now = watcher.session.now
     watcher.wait(5)
     assert watcher.session.now == now, "let go, the pause holds again"
+
+
+def test_a_held_key_goes_faster_from_frame_to_frame(watcher):
+    watcher.press(pygame.K_RIGHT)
+    places = []
+    for _ in range(9):
+        places.append(watcher.session.now)
+        watcher.frame()
+    steps = np.diff(places)
+    assert (
+        (np.diff(steps) >= 0).all() and steps[-1] > 1.5 * steps[0] and steps[0] < 20 * watcher.session.clock.speed / 60
+    )
+
+
+@pytest.mark.parametrize("let_go", [False, True])
+def test_a_held_key_goes_no_further_than_to_rest(watcher, let_go):
+    watcher.press(pygame.K_RIGHT)
+    for _ in range(400):
+        watcher.frame()
+        if let_go and watcher.toy.ahead._narrowing:
+            watcher.release(pygame.K_RIGHT)
+            break
+    watcher.settle()
+    watcher.wait(5)
+    twin = Session(SCENE, 4)
+    twin.timeline.run(watcher.world.iteration - 1)
+    assert not at_rest(twin.world, twin.rule) and at_rest(watcher.world, watcher.session.rule)
+    assert watcher.session.reached == watcher.session.now and not (let_go and watcher.toy.ahead.due() is not None)
 
 
 def test_the_key_belongs_to_a_control_that_has_the_keyboard(watcher):
