@@ -66,11 +66,13 @@ def _duration(text):
 
 
 def _scene_options(parser):
-    parser.add_argument("--scene", metavar="NAME|FILE", help=f"a shipped scene or a scene file (default: {SCENE})")
+    parser.add_argument(
+        "--scene", metavar="NAME|FILE", help=f"a shipped scene, a scene file or a picture (default: {SCENE})"
+    )
     parser.add_argument(
         "--p", type=_setting(knob.P), help="probability that grains topple, 0 … 1 (default: the scene's)"
     )
-    parser.add_argument("--seed", type=_setting(knob.SEED), default=knob.SEED.default, help=knob.SEED.meaning)
+    parser.add_argument("--seed", type=_setting(knob.SEED), help=f"{knob.SEED.meaning} (default: the scene's)")
     parser.add_argument("--size", type=_size, metavar="WxH", help="another lattice for the scene, in cells")
 
 
@@ -128,20 +130,23 @@ def _study_parser():
 
 
 def _load(options):
-    """Return the scene the options ask for, or leave with status 2 and one line."""
-    from game.world.scene import SceneError, load_scene
+    """Return the scene and the seed that the options ask for, or leave with status 2 and one line."""
+    from game.world.picture_file import PictureError
+    from game.world.scene import SceneError
+    from game.world.start import load_start
 
     try:
-        return load_scene(options.scene or SCENE, options.size)
-    except SceneError as error:
-        print(f"sandglass: {error}", file=sys.stderr)
-        raise SystemExit(2) from None
+        scene, seed = load_start(SCENE if options.scene is None else options.scene, options.size)
+    except (SceneError, PictureError) as error:
+        raise SystemExit(_refuse(error)) from None
+    return scene, seed if options.seed is None else options.seed
 
 
 def _headless(options):
     from game import headless
 
-    report = headless.run(_load(options), options.frames, options.p, options.seed)
+    scene, seed = _load(options)
+    report = headless.run(scene, options.frames, options.p, seed)
     print(headless.text(report, options.json))
     return headless.status(report)
 
@@ -153,8 +158,7 @@ def _load_replay(options):
     try:
         recording = load_replay(options.replay)
     except ReplayError as error:
-        print(f"sandglass: {error}", file=sys.stderr)
-        raise SystemExit(2) from None
+        raise SystemExit(_refuse(error)) from None
     if recording.problem:
         print(f"sandglass: {recording.problem}", file=sys.stderr)
     return recording
@@ -214,14 +218,15 @@ def _settings(flags):
 
 
 def _scene_to_play(options, recording):
-    """Return the scene the options ask for: the recording's, or for a timer without one a glass that suits its time."""
+    """Return scene and seed: the recording's, those asked for, or for a timer without a scene a glass that suits it."""
     if recording:
-        return recording.scene
-    if options.timer and not options.scene:
+        return recording.scene, recording.seed
+    if options.timer and options.scene is None:
         from game.world.maker import glass_for, glass_within, scene_of
 
         try:
-            return scene_of(glass_within(*options.size) if options.size else glass_for(options.timer))
+            glass = glass_within(*options.size) if options.size else glass_for(options.timer)
+            return scene_of(glass), knob.SEED.default if options.seed is None else options.seed
         except ValueError as error:
             raise SystemExit(_refuse(error)) from None
     return _load(options)
@@ -229,14 +234,12 @@ def _scene_to_play(options, recording):
 
 def _play(options):
     recording = None if options.replay is None else _load_replay(options)
-    scene = _scene_to_play(options, recording)
+    scene, seed = _scene_to_play(options, recording)
     from game.play import loop
 
     settings = _settings({"ui_scale": options.ui_scale})
     try:
-        return loop.play(
-            scene, settings, options.seed, options.p, options.cell, options.fullscreen, recording, options.timer
-        )
+        return loop.play(scene, settings, seed, options.p, options.cell, options.fullscreen, recording, options.timer)
     except loop.NoDisplayError as error:
         print(f"sandglass: no display to open a window on ({error}); running headless instead")
         if recording:

@@ -41,7 +41,12 @@ class Knob:
     def wanted(self):
         """The range in words: 'in [0, 1]', 'a whole number in [1, 16384] cells'."""
         kind = "a whole number in" if self.whole else "in"
-        return f"{kind} [{self.low:g}, {self.high:g}] {self.unit}".rstrip()
+        return f"{kind} [{_spelt(self.low)}, {_spelt(self.high)}] {self.unit}".rstrip()
+
+
+def _spelt(number):
+    """Return a number with all its digits where it is a whole one."""
+    return str(int(number)) if number == int(number) else f"{number:g}"
 
 
 def _probability(name, meaning):

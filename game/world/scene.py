@@ -135,7 +135,7 @@ def _path(name_or_path):
     else:
         path, known = asset("scenes") / f"{text}.toml", "a scene"
     if "\0" in text or not os.path.lexists(path):
-        raise SceneError(text, "scene", "no such file", f"{known}, or one of {', '.join(scene_names())}")
+        raise SceneError(text or "''", "scene", "no such file", f"{known}, or one of {', '.join(scene_names())}")
     return path
 
 

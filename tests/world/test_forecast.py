@@ -170,7 +170,7 @@ def test_no_time_at_all_is_no_work():
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        ({"runs": 0}, "runs must be a whole number in [1, 1e+09], got 0"),
+        ({"runs": 0}, "runs must be a whole number in [1, 1000000000], got 0"),
         ({"runs": 2.5}, "runs must be a whole number in"),
         ({"runs": True}, "runs must be a whole number in"),
         ({"runs": float("nan")}, "runs must be a whole number in"),

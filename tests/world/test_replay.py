@@ -157,7 +157,7 @@ def test_any_edit_is_noticed_and_what_is_before_it_kept():
 @pytest.mark.parametrize(
     ("edit", "words"),
     [
-        ({"at": -1}, "at: found -1, wanted a whole number in [0, 9.0072e+15] iterations"),
+        ({"at": -1}, "at: found -1, wanted a whole number in [0, 9007199254740992] iterations"),
         ({"at": True}, "at: found True"),
         ({"at": float("nan")}, "at: found nan"),
         ({"do": "dance"}, "do: found 'dance', wanted one of paint, stroke"),
