@@ -105,3 +105,17 @@ def test_a_glass_that_was_made_is_saved_like_any_scene(maker):
     maker.toy.load("blank")
     maker.drop(path)
     assert (maker.world.sand == sand).all() and (maker.world.walls == walls).all()
+
+
+def test_a_slider_stays_under_the_pointer_when_lines_above_it_go():
+    player = Player("hourglass", size=(900, 560))  # low: the fold is scrolled to
+    player.toy.panel.glass.open = True
+    player.hold_time()
+    player.wait(1)
+    places = [player.control("Neck", share) for share in (0.2, 0.3, 0.4)]
+    player.drag(*places)
+    player.settle()
+    assert player.session.scene.name == "glass" and not player.session.scene.notice
+    rect = player.toy.panel.ui.rects["Neck"]
+    assert rect.collidepoint(places[-1])
+    pygame.display.quit()

@@ -57,10 +57,15 @@ class Focus:
         return rest
 
     def settle(self, slots, content_height):
-        """Take this frame's layout, and let go of what is no longer there."""
+        """Take this frame's layout, and let go of what is no longer there.
+
+        Where the control in use has moved in the column, the column moves against it: it stays under the pointer.
+        """
+        known = self.name in slots and self.name in self.slots
+        moved = slots[self.name].ring.top - self.slots[self.name].ring.top if known else 0
         self.slots = slots
         self.scroll.content = content_height
-        self.scroll.to(self.scroll.offset)
+        self.scroll.to(self.scroll.offset + moved)
         if self.name not in slots:
             self.name, self.by_keyboard = None, False
         if self.held not in slots and self.held != BAR:
