@@ -33,11 +33,11 @@ class Blocks:
         """Show the blocks, or hide them; if they cannot be seen now, say why."""
         self.on = not self.on
         if self.on and self._toy.stage.view.cell < LEAST_CELL:
-            self._toy.notices.say(
-                "Zoom in until grains are large, and their blocks will show: Ctrl+wheel, or Ctrl and +"
-            )
+            words = "Zoom in until grains are large, and their blocks will show: Ctrl+wheel, or Ctrl and +"
+            self._toy.notices.say(words, holds=lambda: self.on and not self.shown)
         elif self.on and not self._is_calm:
-            self._toy.notices.say("Blocks show while time stands still: Space, then . for one iteration")
+            words = "Blocks show while time stands still: Space, then . for one iteration"
+            self._toy.notices.say(words, holds=lambda: self.on and not self.shown)
 
     @property
     def shown(self):

@@ -206,8 +206,9 @@ class Commands:
     def toggle_plots(self):
         """Show the plots of what the sand does, or no longer."""
         self.toy.plots.toggle()
-        if self.toy.plots.shown and not self.toy.plots.fit:
-            self.toy.notices.say("The window is too small for the plots.")
+        plots = self.toy.plots
+        if plots.shown and not plots.fit:
+            self.toy.notices.say("The window is too small for the plots.", holds=lambda: plots.shown and not plots.fit)
 
     def save_measures(self):
         """Save what the plots have measured."""
@@ -227,7 +228,8 @@ class Commands:
             session.paused = toy.session.paused
             toy.recovery.begin(session, [])
             toy.open_session(session, keep=True)
-            toy.notices.say("The same sand under three schedules. Shift+H goes back.")
+            words = "The same sand under three schedules. Shift+H or Esc goes back."
+            toy.notices.say(words, holds=lambda: toy.session is session)
 
     def toggle_fullscreen(self):
         """Fill the screen, or go back."""
@@ -255,7 +257,7 @@ class Commands:
 
     def _warn_of_end(self):
         self._warned_s = time.monotonic()
-        self.toy.notices.say("Esc once more quits.")
+        self.toy.notices.say("Esc once more quits.", holds=lambda: time.monotonic() - self._warned_s <= TWICE_S)
 
     def _quit(self):
         self.toy.running = False

@@ -17,6 +17,7 @@ LOOP_S = 4.0
 RMS = 0.1  # of the loop, where full scale is 1
 TURBULENCE = 0.25  # how much its loudness wavers
 SEED = 11
+SILENCE = "No sound card was found: the sand stays silent."
 
 
 class Hiss:
@@ -27,6 +28,7 @@ class Hiss:
         self._stir = Stir()
         self._sound = self._channel = None
         self._making = False
+        self._chosen = False  # sound was chosen just now, and the card has not answered yet
         self._looked_s = self._then_s = 0.0
         self._goal = 0.0, 0.0  # loudness in [0, 1] and side in [-1, 1]
         self.level = self.side = 0.0  # on the way there
@@ -35,8 +37,9 @@ class Hiss:
         """Choose sound, or silence."""
         settings, mixer = self._toy.settings, self._toy.mixer
         settings["sound"] = not settings["sound"]
+        self._chosen = settings["sound"] and mixer.trouble is None
         if settings["sound"] and mixer.trouble is not None:
-            self._toy.notices.say("No sound card was found: the sand stays silent.")
+            self._toy.notices.say(SILENCE)
         else:
             self._toy.notices.say("Sound is on" if settings["sound"] else "Sound is off")
 
@@ -69,6 +72,9 @@ class Hiss:
         """Open the sound card and make the loop, beside the frames."""
         mixer = self._toy.mixer
         mixer.open()
+        if self._chosen and mixer.trouble is not None:
+            self._chosen = False
+            self._toy.notices.say(SILENCE)
         if mixer.ready and not self._making:
             self._making = True
             self._toy.background.do(loop, self._take)

@@ -19,14 +19,14 @@ class Notices:
     def __init__(self, taken=lambda: 0):
         """`taken`: returns how many pixels at the lower edge of the sand are taken by something else."""
         self._taken = taken
-        self._lines = []  # (text, whether it tells of trouble), the one shown first
+        self._lines = []  # (text, whether it tells of trouble, a function that says whether it holds), the first shown
         self._since_s = None
         self._now_s = 0.0
 
-    def say(self, text, trouble=False):
-        """Show a line: at once, unless one that tells of trouble is still to be read."""
-        line = str(text), trouble
-        if self._lines and self._lines[0][1] and self._lines[0] != line:
+    def say(self, text, trouble=False, holds=lambda: True):
+        """Show a line as long as it holds: at once, unless one that tells of trouble is still to be read."""
+        line = str(text), trouble, holds
+        if self._lines and self._lines[0][1] and self._lines[0][:2] != line[:2]:
             self._lines = [*self._lines[:MOST_WAITING], line]
         else:
             self._lines, self._since_s = [line], None
@@ -49,7 +49,7 @@ class Notices:
         if self._since_s is None:
             self._since_s = now_s
             return True
-        if self._age() > self._stay() + FADE_S:
+        if self._age() > self._stay() + FADE_S or not self._lines[0][2]():
             self._lines, self._since_s = self._lines[1:], None
             return True
         return self._age() > self._stay()
@@ -60,7 +60,7 @@ class Notices:
 
     def draw(self, surface, theme, area):
         """Draw the line above the lower edge of `area`; return the rects that it covers."""
-        text, trouble = self._lines[0]
+        text, trouble, _ = self._lines[0]
         px = theme.px
         wide = min(theme.width(text, look.BODY) + 2 * px(PAD), area.width - 2 * px(8))
         lines = theme.lines(text, look.BODY, wide - 2 * px(PAD))

@@ -193,7 +193,7 @@ class Timer:
         self._judged = ending
         reason, words = self._doubt(ending) or (None, "")
         if words and reason != self._told:
-            self._toy.notices.say(words)
+            self._toy.notices.say(words, holds=lambda: self.state == RUNNING and self._told == reason)
         self._told = reason
 
     def _doubt(self, ending):

@@ -58,6 +58,7 @@ def test_a_key_held_longer_than_the_page_is_open_does_no_more(player):
     assert not gallery.shown and player.toy.running
     player.release(pygame.K_ESCAPE)
     player.key(pygame.K_ESCAPE)
+    player.key(pygame.K_ESCAPE)
     assert not player.toy.running
 
 

@@ -71,6 +71,15 @@ def test_without_a_card_the_player_is_told_once_and_plays_on(glass):
     assert glass.world.iteration > at
 
 
+def test_a_card_that_does_not_open_takes_the_promise_of_sound_back(glass, monkeypatch):
+    monkeypatch.setenv("SDL_AUDIODRIVER", "alsa")
+    monkeypatch.setenv("ALSA_CONFIG_PATH", "/dev/null")
+    glass.key(pygame.K_m)
+    glass.settle()
+    glass.wait(2)
+    assert "No sound card" in glass.toy.notices.text
+
+
 def test_the_loop_has_no_seam_no_clipping_and_no_hum():
     wave = loop()
     assert wave.shape[1] == 2 and np.abs(wave).max() < 1

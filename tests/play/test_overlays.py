@@ -83,3 +83,19 @@ def test_a_still_picture_with_something_over_it_is_not_drawn_again(glass):
     notice(glass.toy, glass.now_s)
     glass.wait(20)
     assert glass.toy.notices.shown and not any(glass.frame() for _ in range(10))
+
+
+def test_a_notice_goes_when_what_it_says_holds_no_more(player):
+    toy = player.toy
+    player.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
+    assert "three schedules" in toy.notices.text
+    player.wait(5)
+    assert "three schedules" in toy.notices.text
+    player.key(pygame.K_ESCAPE)
+    player.wait(2)
+    assert "three schedules" not in (toy.notices.text or "")
+    player.key(pygame.K_b)
+    assert "Zoom in" in toy.notices.text
+    player.key(pygame.K_b)
+    player.wait(2)
+    assert "Zoom in" not in (toy.notices.text or "")
