@@ -37,13 +37,13 @@ class Badge:
         return events
 
     def draw(self, surface, theme, area):
-        """Draw the zoom in a corner of `area`, and under it the lattice, unless all of it is in sight.
+        """Draw the zoom at the right of `area`, level with the stage, and the lattice under it, unless all is in sight.
 
         Return the rects that they cover.
         """
-        px, view = theme.px, self._toy.stage.view
+        px, stage, view = theme.px, self._toy.stage, self._toy.stage.view
         text = words(view.cell)
-        box = pygame.Rect(0, area.y + px(AWAY), theme.width(text, look.BODY) + 2 * px(PAD), px(HEIGHT))
+        box = pygame.Rect(0, stage.area.y + px(AWAY), theme.width(text, look.BODY) + 2 * px(PAD), px(HEIGHT))
         box.right = area.right - px(AWAY)
         paint.box(surface, theme, box, look.RAISED, px(6))
         paint.words(surface, theme, box.inflate(-2 * px(PAD), 0), text, look.BODY, look.TEXT, 0.5)
