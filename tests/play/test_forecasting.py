@@ -191,14 +191,18 @@ def test_never_and_always_have_the_same_colours_in_the_legend_and_in_the_picture
         assert np.median(np.abs(np.array(drawn) - bar.get_at((x, 0))[:3]).max(axis=1)) <= SHADE
 
 
-def test_the_legend_stands_in_the_leading_pane_of_a_comparison():
+def test_the_legend_stands_in_the_leading_pane_of_a_comparison_clear_of_the_badge():
     player = Player("hourglass")
     pygame.display.set_mode((1280, 720), pygame.RESIZABLE, 32)
     player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
     player.key(pygame.K_h, "h")
     player.wait(1)
     toy = player.toy
-    assert toy.stage.area.contains(toy.forecasting.draw(toy.window.surface, toy.theme, toy.layout.sand)[0])
+    toy.camera.zoom(1)
+    (card,), badge = (
+        each.draw(toy.window.surface, toy.theme, toy.layout.sand) for each in (toy.forecasting, toy.camera.badge)
+    )
+    assert toy.stage.area.contains(card) and card.collidelist(badge) < 0
     toy.close()
     pygame.display.quit()
 
