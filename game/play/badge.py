@@ -37,14 +37,17 @@ class Badge:
         return events
 
     def draw(self, surface, theme, area):
-        """Draw the zoom in a corner of `area`, and under it the lattice, unless all of it is in sight.
+        """Draw the zoom level with the stage, and the lattice under it, unless all of it is in sight.
 
-        Return the rects that they cover.
+        It is at the right of `area`, or at its left if the leading one of several worlds is further right. Return the
+        rects that they cover.
         """
-        px, view = theme.px, self._toy.stage.view
+        px, stage, view = theme.px, self._toy.stage, self._toy.stage.view
         text = words(view.cell)
-        box = pygame.Rect(0, area.y + px(AWAY), theme.width(text, look.BODY) + 2 * px(PAD), px(HEIGHT))
+        box = pygame.Rect(0, stage.area.y + px(AWAY), theme.width(text, look.BODY) + 2 * px(PAD), px(HEIGHT))
         box.right = area.right - px(AWAY)
+        if stage.area.x > area.x:
+            box.x = area.x + px(AWAY)
         paint.box(surface, theme, box, look.RAISED, px(6))
         paint.words(surface, theme, box.inflate(-2 * px(PAD), 0), text, look.BODY, look.TEXT, 0.5)
         return [box, _draw_map(surface, theme, view, box)] if view.frame else [box]

@@ -9,6 +9,7 @@ from game.play.ui import theme as look
 
 HEAD = 18  # height of a card's title at scale 1
 PAD = 8
+ROUND = 1, 1.5, 2, 3, 4, 5, 6, 8, 10  # the figures at which a scale may end, times a power of ten
 
 
 def curve(surface, theme, rect, points, colour):
@@ -39,6 +40,38 @@ def card(theme, rect, title, value):
         (paint.words, tuple(head), value, look.SMALL, look.TEXT, 1),
     ]
     return strokes, pygame.Rect(room.x, head.bottom + px(2), room.width, room.bottom - head.bottom - px(4))
+
+
+def round_up(number):
+    """Return the next round figure from `number`, 0 or above, on."""
+    if number == 0:
+        return 0
+    power = 10.0 ** math.floor(math.log10(number))
+    return next(each * power for each in ROUND if each * power >= number * (1 - 1e-9))
+
+
+def figure(number):
+    """Return a round figure as it is written at a scale."""
+    return f"{number:,.10g}"
+
+
+def scale(theme, room, marks, low, high):
+    """Return (strokes of figures at the left, the rect left for the chart), without figures where there is no room.
+
+    marks: [(number between low and high, its words)]. Of two that would touch, the first is written.
+    """
+    line, wide = theme.line_height(look.SMALL), max(theme.width(words, look.SMALL) for _, words in marks)
+    if room.height < 2 * line or 3 * wide > room.width:
+        return [], room
+    places, strokes = [], []
+    for number, words in marks:
+        level = room.bottom - round((number - low) / (high - low) * room.height)
+        place = pygame.Rect(room.x, min(max(level - line // 2, room.y), room.bottom - line), wide, line)
+        if place.collidelist(places) < 0:
+            places.append(place)
+            strokes.append((paint.words, tuple(place), words, look.SMALL, look.FAINT, 1))
+    wide += theme.px(PAD // 2)
+    return strokes, pygame.Rect(room.x + wide, room.y, room.width - wide, room.height)
 
 
 def curves(rect, xs, series, low, high):

@@ -94,6 +94,7 @@ class Commands:
             self.toy.notices.say("At p = 0 no grain topples, to whichever side the table leans.")
         else:
             self.toy.do(act)
+            self.toy.notices.say(lean.told(act.rule.bias))
 
     def restart(self):
         """Start the scene again."""

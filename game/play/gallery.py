@@ -13,6 +13,7 @@ GAP = 10
 HEAD, FOOT = 40, 46
 NAME = 24  # height of a name under its picture
 NARROWEST = 132  # tile; with no narrower ones in sight, the others are scrolled to
+LEAST = 6  # tiles that a page has room for: fewer are no larger
 PICTURE = 0.72  # height of a picture, as a share of its width
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 ENTERS = pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE
@@ -224,7 +225,7 @@ class Gallery:
             wide = (page.width + px(GAP)) // columns - px(GAP)
             high = round(PICTURE * wide) + px(NAME)
             rows = max(1, page.height // (high + px(GAP)))
-            if columns * rows >= len(self.shelf):
+            if columns * rows >= max(LEAST, len(self.shelf)):
                 break
         return columns, rows, (wide, min(high, page.height))
 
@@ -234,6 +235,7 @@ class Gallery:
         columns, rows, (wide, high) = self._grid()
         shown = min(rows, -(-len(self.shelf) // columns))
         page.y += max(0, (page.height - shown * (high + px(GAP))) // 2)
+        page.x += max(0, columns - len(self.shelf)) * (wide + px(GAP)) // 2
         for number in range(self._top * columns, min(len(self.shelf), (self._top + rows) * columns)):
             row, column = divmod(number - self._top * columns, columns)
             yield (

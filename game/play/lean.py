@@ -1,4 +1,4 @@
-"""The lean: the bias of the rule as a tilt of the table, in steps, and shown as a frame that leans."""
+"""The lean: the bias of the rule as a tilt of the table, in steps, told in words and shown as a frame that leans."""
 
 import math
 
@@ -18,6 +18,13 @@ def tilted(rule, way):
     steps = round(rule.bias / STEP, 6)
     steps = math.floor(steps) + 1 if way > 0 else math.ceil(steps) - 1
     return SetRule(rule.leaning(min(max(steps * STEP, -1.0), 1.0)))
+
+
+def told(bias):
+    """Return the words for a table that leans by `bias`."""
+    if bias == 0.0:
+        return "The table is upright: bias 0"
+    return f"The table leans to the {'left' if bias < 0 else 'right'}: bias {bias:+.2g}"
 
 
 def marks(rule, view):

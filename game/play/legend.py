@@ -2,10 +2,12 @@
 
 import pygame
 
+from game.core.heat import ALWAYS
+from game.core.pixels import AIR
 from game.play.card import draw_box
 from game.play.ui import paint
 from game.play.ui import theme as look
-from game.world.heat_colours import scale
+from game.world.heat_colours import over
 
 WIDTH = 226  # pixels at scale 1, with everything in it
 PAD = 10
@@ -16,7 +18,7 @@ UNKNOWN = "Forecast", "Computing the first runs …"
 
 
 class Legend:
-    """The card of a Forecasting, in the upper left corner of the sand."""
+    """The card of a Forecasting, in the upper left corner of the stage, as far as there is room."""
 
     def __init__(self, toy, forecasting):
         self._toy, self._forecasting = toy, forecasting
@@ -41,10 +43,11 @@ class Legend:
     def draw(self, surface, theme, area):
         """Draw the card, where there is room for it; return the rects that it covers."""
         px, line = theme.px, theme.line_height(look.SMALL)
-        rect = pygame.Rect(area.x + px(AWAY), self._toy.stage.area.y + px(AWAY), px(WIDTH), 0)
+        stage, away, wide = self._toy.stage.area, px(AWAY), px(WIDTH)
+        rect = pygame.Rect(min(stage.x + away, area.right - away - wide), stage.y + away, wide, 0)
         title, *lines = self._lines if 2 * rect.width <= area.width else self._lines[:2]
         rect.height = 2 * px(PAD) + px(24) + px(BAR) + line + px(4) + line * len(lines)
-        if rect.right + px(AWAY) > area.right or 2 * rect.height > area.height:
+        if rect.x < area.x + away or 2 * rect.height > area.height:
             return []
         covered = draw_box(surface, theme, rect.inflate(-2 * px(5), -2 * px(5)))
         stale, row = self._forecasting.stale, rect.inflate(-2 * px(PAD), -2 * px(PAD))
@@ -53,7 +56,7 @@ class Legend:
         if stale:
             paint.words(surface, theme, row, "stale", look.BODY, look.BRIGHT_ACCENT, 1)
         row.y, row.height = row.y + px(24), px(BAR)
-        _draw_bar(surface, row, stale)
+        _draw_bar(surface, theme, row, stale)
         row.y, row.height = row.bottom, line
         for share, align in (("never", 0), ("50 %", 0.5), ("always", 1)):
             paint.words(surface, theme, row, share, look.SMALL, look.FAINT, align)
@@ -73,8 +76,8 @@ class Legend:
         if answer is None:
             return UNKNOWN
         ago = self._toy.session.world.iteration - answer.question.start
-        when = f"{answer.question.ahead:,} ahead, computed {f'{ago:,} ago' if ago else 'now'}"
-        lines = [self._title(), _said_of_runs(answer), when, self._here()]
+        when = f"{_iterations(answer.question.ahead)} ahead", f"Computed {f'{_iterations(ago)} ago' if ago else 'now'}"
+        lines = [self._title(), _said_of_runs(answer), *when, self._here()]
         part, exact = answer.question.still.part, answer.question.about[0].exact
         if (part.height, part.width) != shape:
             cells = f"{part.width:,}×{part.height:,} cells"
@@ -97,7 +100,13 @@ def _said_of_runs(answer):
     return f"{answer.runs:,} runs: ± {100 * answer.error:.1f} % at most"
 
 
-def _draw_bar(surface, rect, stale):
-    colours = scale(stale)
+def _iterations(number):
+    return f"{number:,} iteration{'' if number == 1 else 's'}"
+
+
+def _draw_bar(surface, theme, rect, stale):
+    """Draw the scale as it looks over air, as it does in the picture."""
+    colours = over(theme.colours.air[AIR].dark, stale)
     for x in range(rect.width):
-        surface.fill(colours[x * 254 // max(1, rect.width - 1)].tolist(), (rect.x + x, rect.y, 1, rect.height))
+        colour = colours[x * ALWAYS // max(1, rect.width - 1)].tolist()
+        surface.fill(colour, (rect.x + x, rect.y, 1, rect.height))

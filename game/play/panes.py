@@ -10,6 +10,12 @@ from game.play.ui import theme as look
 from game.world.measure import grains_above
 
 TITLE = 26  # height of a title at scale 1
+PAD = 8  # in a title, beside and between its words
+GAP = 3  # between panes, so that zoomed worlds are not read as one
+FORMS = (  # of a title, from the fullest: size of its name, words of its count
+    *((look.HEADING, 3), (look.HEADING, 1), (look.SMALL, 1)),
+    *((look.HEADING, 0), (look.SMALL, 0)),
+)
 REFRESH_S = 0.25  # the grains left are counted so often
 
 
@@ -24,7 +30,7 @@ class Panes:
         self._titles, self._drawn, self._counted_s = {}, {}, None
         self._left = {}  # the grains above the neck in each world
         self._held = None  # the shift of the pane in which a button is held
-        self._area = pygame.Rect(0, 0, 1, 1)  # of all panes
+        self._gaps, self._gapped = [], False  # between panes; whether they are drawn
         self._overlay, self._covered = None, []  # as last drawn, and the rects that it covers
 
     # --- as a stage ---
@@ -54,15 +60,16 @@ class Panes:
 
     def fit(self, shape, area, margin, theme, walls):
         """Show lattices of `shape` beside or below one another in `area`, whichever leaves larger cells."""
-        self._area, high = pygame.Rect(area), theme.px(TITLE)
-        ways = [_split(area, len(self._stages), across, high) for across in (True, False)]
+        high, gap = theme.px(TITLE), theme.px(GAP)
+        ways = [_split(area, len(self._stages), across, high, gap) for across in (True, False)]
         rects = max(ways, key=lambda rects: min(rects[0].height / shape[0], rects[0].width / shape[1]))
         for (schedule, stage), rect in zip(self._stages.items(), rects, strict=True):
             stage.fit(shape, rect, margin, theme, walls)
             self._titles[schedule] = pygame.Rect(rect.x, rect.y - high, rect.width, high)
         lead = self._lead.area
         self._shifts = {each: (s.area.x - lead.x, s.area.y - lead.y) for each, s in self._stages.items()}
-        self._drawn = {}
+        self._gaps = _gaps([*self._titles.values()], rects, gap)
+        self._drawn, self._gapped = {}, False
 
     def show(self, view):
         """Show the lattices through another view."""
@@ -71,7 +78,7 @@ class Panes:
 
     def refresh(self):
         """Draw everything next time."""
-        self._drawn, self._overlay, self._covered = {}, None, []
+        self._drawn, self._gapped, self._overlay, self._covered = {}, False, None, []
         for stage in self._stages.values():
             stage.refresh()
 
@@ -98,12 +105,13 @@ class Panes:
         if overlay is not self._overlay or self._new_titles() or any(_differs(*pane) for pane in panes):
             under = self._covered
             self._drawn = {each: t for each, t in self._drawn.items() if self._titles[each].collidelist(under) < 0}
+            self._gapped = self._gapped and all(gap.collidelist(under) < 0 for gap in self._gaps)
         rects = []
         for stage, world, here in panes:
             rects += stage.draw(
                 world, here, None, now_s, under=[rect for rect in under if rect.colliderect(stage.area)]
             )
-        rects += self._draw_titles()
+        rects += self._draw_titles() + self._draw_gaps()
         before, self._overlay = self._overlay, overlay
         if overlay and (rects or overlay is not before):
             self._covered = overlay(self._window.surface)
@@ -153,31 +161,70 @@ class Panes:
             sessions = self._comparison.sessions.items()
             self._left = {schedule: grains_above(session.world, row) for schedule, session in sessions}
 
+    def _written(self):
+        """Return {schedule: (name, its size, its count)}: the fullest form that there is room for in all titles."""
+        theme, titles = self._toy.theme, self.titles()
+        room = min(rect.width for rect in self._titles.values()) - 2 * theme.px(PAD)
+        for size, number in FORMS:
+            written = {each: (name, size, _first(left, number)) for each, (name, left) in titles.items()}
+            if all(_width(theme, *each) <= room for each in written.values()):
+                break
+        return written
+
     def _new_titles(self):
-        return {each: title for each, title in self.titles().items() if title != self._drawn.get(each)}
+        return {each: title for each, title in self._written().items() if title != self._drawn.get(each)}
 
     def _draw_titles(self):
-        new = self._new_titles()
-        for schedule, (name, left) in new.items():
-            rect, theme, surface = self._titles[schedule], self._toy.theme, self._window.surface
+        new, theme, surface = self._new_titles(), self._toy.theme, self._window.surface
+        for schedule, (name, size, left) in new.items():
+            rect, leads = self._titles[schedule], schedule == self._comparison.schedule
             paint.fill(surface, theme, rect, look.SUNKEN)
-            words = rect.inflate(-2 * theme.px(10), 0)
-            leads = schedule == self._comparison.schedule
-            paint.words(surface, theme, words, name, look.HEADING, look.HANDLE if leads else look.TEXT, 0)
-            paint.words(surface, theme, words, left, look.SMALL, look.DIM, 1)
+            if leads:
+                line = theme.px(2)
+                paint.fill(surface, theme, (rect.x, rect.bottom - line, rect.width, line), look.ACCENT)
+            words = rect.inflate(-2 * theme.px(PAD), 0)
+            paint.words(surface, theme, words, name, size, look.BRIGHT_HANDLE if leads else look.DIM, 0)
+            paint.words(surface, theme, words, left, look.SMALL, look.TEXT if leads else look.DIM, 1)
         self._drawn |= new
         return [self._titles[each] for each in new]
+
+    def _draw_gaps(self):
+        if self._gapped:
+            return []
+        self._gapped = True
+        for gap in self._gaps:
+            paint.fill(self._window.surface, self._toy.theme, gap, look.EDGE)
+        return self._gaps
+
+
+def _first(words, number):
+    return " ".join(words.split()[:number])
+
+
+def _width(theme, name, size, left):
+    """Return how much room a title takes, with what is free between its words."""
+    return theme.width(name, size) + (theme.px(PAD) + theme.width(left, look.SMALL) if left else 0)
 
 
 def _differs(stage, world, marks):
     return stage.turn is not None or stage.differs(world, marks)
 
 
-def _split(area, number, across, high):
-    """Return `number` rects of one size in `area`, with `high` pixels free above each."""
-    wide, tall = (area.width // number, area.height) if across else (area.width, area.height // number)
-    corners = [(area.x + k * wide, area.y) if across else (area.x, area.y + k * tall) for k in range(number)]
+def _split(area, number, across, high, gap):
+    """Return `number` rects of one size in `area`, with `high` pixels free above each and `gap` between them."""
+    wide = (area.width - (number - 1) * gap) // number if across else area.width
+    tall = area.height if across else (area.height - (number - 1) * gap) // number
+    step = (wide + gap, 0) if across else (0, tall + gap)
+    corners = [(area.x + k * step[0], area.y + k * step[1]) for k in range(number)]
     return [pygame.Rect(x, y + high, wide, max(1, tall - high)) for x, y in corners]
+
+
+def _gaps(titles, rects, gap):
+    """Return the gaps after all panes but the last: right of them where they stand side by side, else below."""
+    panes = [title.union(rect) for title, rect in zip(titles, rects, strict=True)]
+    if panes[0].y == panes[-1].y:
+        return [pygame.Rect(pane.right, pane.y, gap, pane.height) for pane in panes[:-1]]
+    return [pygame.Rect(pane.x, pane.bottom, pane.width, gap) for pane in panes[:-1]]
 
 
 def _moved(view, x, y):

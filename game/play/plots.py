@@ -153,9 +153,11 @@ class Plots:
             title = "Flow"
         strokes, room = charts.card(theme, rect, title, now)
         room, foot = self._with_foot(room)
-        low, high = min(known, default=0.0), max(known, default=0.0)
-        lines = charts.curves(room, self._nows(), [(flows, look.ACCENT)], min(low, 0.0), max(high, 0.1))
-        return strokes + foot + lines
+        low = -charts.round_up(-min([0.0, *known]))
+        high = charts.round_up(max([0.1, *known]))
+        figures, room = self._scale(room, low, high)
+        lines = charts.curves(room, self._nows(), [(flows, look.ACCENT)], low, high)
+        return strokes + foot + figures + lines
 
     def _filling(self, rect):
         samples, last = self._watch.samples, self._watch.samples[-1]
@@ -164,25 +166,30 @@ class Plots:
         strokes.append((paint.words, below, "below", look.SMALL, look.RING, 0))
         strokes.append((paint.words, below, f"{last.below:,}", look.SMALL, look.RING, 1))
         room, foot = self._with_foot(pygame.Rect(room.x, below[1] + below[3], room.width, room.height - below[3]))
-        most = max(max(each.above, each.below) for each in samples)
+        most = charts.round_up(max(1, *(max(each.above, each.below) for each in samples)))
+        figures, room = self._scale(room, 0, most)
         series = [([e.above for e in samples], look.ACCENT), ([e.below for e in samples], look.RING)]
-        return strokes + foot + charts.curves(room, self._nows(), series, 0, most)
+        return strokes + foot + figures + charts.curves(room, self._nows(), series, 0, most)
 
     def _pile(self, rect):
         last = self._watch.samples[-1]
         slope = "" if math.isnan(last.slope) else f", {last.slope:.0f}°"
         strokes, room = charts.card(self._toy.theme, rect, "Pile below", f"{last.height:,} high{slope}")
         deep = self._toy.session.world.shape[0] - self._watch.row
-        return [*strokes, charts.profile(room, self._watch.heights, min(deep, 2 * last.height), look.ACCENT)]
+        high = charts.round_up(max(1, min(deep, 2 * last.height)))
+        figures, room = self._scale(room, 0, high)
+        return [*strokes, *figures, charts.profile(room, self._watch.heights, high, look.ACCENT)]
 
     def _frames(self, rect):
         samples = self._watch.samples
         strokes, room = charts.card(self._toy.theme, rect, "Slowest frame", f"{samples[-1].frame_ms:.1f} ms")
         numbers, budget = [each.frame_ms for each in samples], BUDGET_NS / 1e6
-        high = max(budget, *numbers)
+        high = charts.round_up(max(2 * budget, *numbers))
+        figures, room = self._scale(room, 0, high, [(budget, f"{budget:g} ms")])
         level = room.bottom - 1 - round(budget / high * (room.height - 1))
         strokes.append((paint.fill, (room.x, level, room.width, self._toy.theme.px(1)), look.EDGE))
-        return strokes + charts.curves(room, [each.seconds for each in samples], [(numbers, look.DIM)], 0, high)
+        lines = charts.curves(room, [each.seconds for each in samples], [(numbers, look.DIM)], 0, high)
+        return strokes + figures + lines
 
     def _audit(self, rect):
         session = self._toy.session
@@ -190,6 +197,11 @@ class Plots:
 
     def _nows(self):
         return [each.now for each in self._watch.samples]
+
+    def _scale(self, room, low, high, marks=()):
+        """Return (figures at the left of `room`, what is left of it): those of `marks`, then the ends and 0."""
+        ends = [(each, charts.figure(each)) for each in dict.fromkeys((high, low, 0))]
+        return charts.scale(self._toy.theme, room, [*marks, *ends], low, high)
 
     def _with_foot(self, room):
         """Return (the room above a line with the iterations at both ends, the line's strokes)."""

@@ -9,6 +9,7 @@ from functools import cache
 import numpy as np
 
 from game.core.heat import ALWAYS, LEVELS, NEVER, SOLID
+from game.world.colours import rgb
 
 LIGHTNESS = 0.2, 0.86  # of the rarest and of the surest, in Oklab
 HUE = 300.0, 165.0  # degrees in Oklab, violet to green: far from the sand's amber
@@ -50,3 +51,10 @@ def cover(map_rgb, stale=False):
     laid = scale(stale).astype(np.uint32) * (256 - kept)[:, None] >> np.uint32(8)
     laid[NEVER] = laid[SOLID] = 0
     return kept, np.array([map_rgb(*colour) for colour in laid.tolist()], np.uint32)
+
+
+def over(colour, stale=False):
+    """Return the (LEVELS, 3) uint8 colours that the levels make of a pixel of a colour (red, green, blue)."""
+    kept, laid = cover(rgb, stale)
+    parts = laid[:, None] >> np.array([16, 8, 0], np.uint32) & np.uint32(255)
+    return ((np.array(colour, np.uint32) * kept[:, None] >> np.uint32(8)) + parts).astype(np.uint8)

@@ -104,6 +104,18 @@ def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
     assert player.world.grains == grains[1]
 
 
+def test_a_single_saved_scene_is_shown_no_larger_than_six(player):
+    sizes = []
+    for number in range(6):
+        save(player)
+        player.key(pygame.K_o, mod=CTRL)
+        if number in (0, 5):
+            sizes.append([rect.size for _, rect in player.toy.gallery._tiles()])
+        player.key(pygame.K_ESCAPE)
+    one, six = sizes
+    assert len(one) == 1 and set(six) == set(one)
+
+
 def test_of_many_saved_scenes_only_the_pictures_seen_last_are_kept(player, monkeypatch):
     monkeypatch.setattr(saved_scenes, "KEPT", 5)
     save(player)

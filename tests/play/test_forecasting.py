@@ -7,9 +7,11 @@ import pygame
 import pytest
 
 from game import Rule
-from game.core.heat import ALWAYS
+from game.core.heat import ALWAYS, NEVER
+from game.play import legend
 from game.play.forecasting import STALE_S, Forecasting
 from game.world.action import Flip, SetRule
+from game.world.colours import THEMES
 from game.world.forecast import Cancelled, counts_at
 from game.world.forecaster import Forecaster
 from game.world.heat_colours import cover
@@ -28,6 +30,9 @@ def paper():
     yield player
     player.toy.forecasting.close()
     pygame.display.quit()
+
+
+SHADE = 12  # of 255, by which air in a wall's shadow or a glass differs from other air under a forecast
 
 
 def pixels_of(player):
@@ -163,11 +168,43 @@ def test_the_legend_tells_runs_error_moment_and_the_cell_under_the_pointer(paper
     row, column = np.argwhere((answer.counts > 2000) & (answer.counts < 8000))[0]
     paper.pointer = paper.pixel(column, row)
     paper.wait(20)
-    title, runs, when, here = paper.toy.forecasting._legend.lines
+    title, runs, ahead, when, here = paper.toy.forecasting._legend.lines
     share = answer.counts[row, column] / 10_000
-    assert title == f"Sand at iteration {paper.session.now + 200:,}" and when == "200 ahead, computed now"
+    assert title == f"Sand at iteration {paper.session.now + 200:,}"
+    assert ahead == "200 iterations ahead" and when == "Computed now"
     assert runs == "10,000 runs: ± 0.5 % at most"
     assert here == f"Here {100 * share:.1f} ± {100 * (share * (1 - share) / 10_000) ** 0.5:.1f} %"
+
+
+@pytest.mark.parametrize("theme", THEMES)
+def test_never_and_always_have_the_same_colours_in_the_legend_and_in_the_picture(paper, theme):
+    paper.toy.settings.override("theme", theme)
+    answer, bar = see_forecast(paper), pygame.Surface((256, 1))
+    legend._draw_bar(bar, paper.toy.theme, bar.get_rect(), False)
+    paper.toy.overlays.remove(paper.toy.forecasting)  # the legend
+    paper.toy.refresh()
+    paper.frame(elapsed_ns=0)
+    seen, world = pixels_of(paper), paper.world
+    for level, x in ((NEVER, 0), (ALWAYS, 255)):
+        cells = np.argwhere((answer.levels == level) & ~world.sand)
+        drawn = [seen[paper.pixel(column, row)[::-1]] for row, column in cells]
+        assert np.median(np.abs(np.array(drawn) - bar.get_at((x, 0))[:3]).max(axis=1)) <= SHADE
+
+
+def test_the_legend_stands_in_the_leading_pane_of_a_comparison_clear_of_the_badge():
+    player = Player("hourglass")
+    pygame.display.set_mode((1280, 720), pygame.RESIZABLE, 32)
+    player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
+    player.key(pygame.K_h, "h")
+    player.wait(1)
+    toy = player.toy
+    toy.camera.zoom(1)
+    (card,), badge = (
+        each.draw(toy.window.surface, toy.theme, toy.layout.sand) for each in (toy.forecasting, toy.camera.badge)
+    )
+    assert toy.stage.area.contains(card) and card.collidelist(badge) < 0
+    toy.close()
+    pygame.display.quit()
 
 
 def test_another_scene_has_no_forecast_of_the_one_before(player, stuck):

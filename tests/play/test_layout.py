@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from game.play.ui import paint
+from game.play.ui.acts import key_name
 from game.play.ui.widgets import Ui
 from game.world.scene import load_scene, scene_names
 
@@ -101,6 +102,26 @@ def test_what_a_newcomer_reaches_for_is_in_sight_without_scrolling(glass, name):
     assert [each for each in ESSENTIALS if not ui._rect.contains(ui.rects[each])] == []
     tops = [ui.rects[each].y for each in ESSENTIALS]
     assert tops == sorted(tops)
+
+
+def test_every_button_of_time_and_window_shows_its_key_clear_of_its_label(glass):
+    ui = seen(glass, (1280, 720), 1)
+    keys = {
+        "Pause": "Space",
+        "Flip": "F",
+        "Undo": "Ctrl+Z",
+        "Redo": "Ctrl+Y",
+        "Restart": "R",
+        "Clear": "C",
+        "Step": ".",
+    }
+    keys |= {"Fast": "Right", "Settle": "End", "Flow": "Shift+Right", "Full screen": "F11", "Keys": "F1"}
+    written = [(pygame.Rect(rect), *how) for stroke, rect, *how in ui._strokes if stroke is paint.words]
+    for name, key in keys.items():
+        inside = [each for each in written if ui.focus.slots[name].rect.contains(each[0])]
+        (label, text, kind, *_), (hint, word, small, *_) = sorted(inside, key=lambda each: each[2], reverse=True)
+        assert (text, word) == (name, key_name(key))
+        assert (label.width + ui.theme.width(text, kind)) // 2 + label.x < hint.right - ui.theme.width(word, small)
 
 
 def test_every_control_says_what_it_does(glass, unfolded):

@@ -4,6 +4,7 @@ import numpy as np
 import pygame
 import pytest
 
+from game.play.ui import paint
 from game.world.action import Clear
 from game.world.comparison import Comparison
 from tests.play.player import Player
@@ -76,6 +77,42 @@ def test_each_pane_shows_its_own_world_and_what_is_left(three):
     for schedule, session in three.session.sessions.items():
         left = int(np.count_nonzero(session.world.sand[: session.scene.neck]))
         assert titles[schedule] == (schedule.capitalize(), f"{left:,} left above")
+
+
+@pytest.mark.parametrize(("size", "scale"), [((640, 480), 1), ((1100, 700), 1), ((1360, 860), 2), ((1360, 860), 3)])
+def test_name_and_count_of_a_title_lie_side_by_side_and_every_name_is_whole(three, monkeypatch, size, scale):
+    written = []
+    three.toy.settings.override("ui_scale", scale)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    words = paint.words
+    monkeypatch.setattr(paint, "words", lambda *how: written.append(how) or words(*how))
+    three.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    stage, theme = three.toy.stage, three.toy.theme
+    for schedule, title in stage._titles.items():
+        (name, text, kind), (left, count, other) = [each[2:5] for each in written if title.contains(each[2])]
+        assert text == schedule.capitalize() and name.x + theme.width(text, kind) <= name.right
+        assert name.x + theme.width(text, kind) < left.right - theme.width(count, other)
+
+
+def test_a_line_parts_zoomed_panes_and_comes_back_from_under_a_notice(three):
+    for _ in range(8):
+        three.key(pygame.K_PLUS, "", pygame.KMOD_CTRL)
+    three.toy.notices.say("A line over all three panes, from the first to the last")
+    three.hold_time()
+    three.wait(900)
+    assert not three.toy.notices.shown
+    surface, edge = three.toy.window.surface, three.toy.theme.rgb("edge")
+    for gap in three.toy.stage._gaps:
+        assert {
+            tuple(surface.get_at((x, y))[:3]) for x in range(gap.left, gap.right) for y in range(gap.top, gap.bottom)
+        } == {edge}
+
+
+def test_the_badge_leaves_the_titles_free(three):
+    three.key(pygame.K_PLUS, "", pygame.KMOD_CTRL)
+    badge = three.toy.camera.badge
+    covered = badge.draw(three.toy.window.surface, three.toy.theme, three.toy.layout.sand)
+    assert all(rect.collidelist([*three.toy.stage._titles.values()]) < 0 for rect in covered)
 
 
 def test_a_flip_turns_all_three_and_undo_brings_them_back(three):

@@ -2,13 +2,16 @@
 
 import csv
 from dataclasses import fields, replace
+from itertools import pairwise
 
 import numpy as np
 import pygame
 import pytest
 
+from game.play import charts
 from game.play.layout import Layout
 from game.play.ui import paint
+from game.play.ui import theme as look
 from game.play.ui.theme import Theme
 from game.world.action import Clear, Paint
 from game.world.audit import Account
@@ -102,6 +105,32 @@ def written(player):
     """Return the words in the cards: (rect, text)."""
     strokes = player.toy.plots._strokes(player.toy.layout.plots)
     return [(pygame.Rect(rect), *how[:2]) for stroke, rect, *how in strokes if stroke is paint.words]
+
+
+@pytest.mark.parametrize(("size", "scale"), [((1280, 720), 0.75), ((1280, 720), 1), ((2560, 1600), 3)])
+def test_each_plot_has_a_scale_from_zero_to_a_round_figure_and_the_budget_is_named(size, scale):
+    player = coloured(size, scale, 1)
+    plots, px = player.toy.plots, player.toy.theme.px
+    for draw in (plots._flow, plots._filling, plots._pile, plots._frames):
+        card = pygame.Rect(0, 0, px(200), px(130))
+        strokes = [(stroke, pygame.Rect(rect), how) for stroke, rect, *how in draw(card)]
+        figures = [(rect, how[0]) for _, rect, how in strokes if how[2:] == [look.FAINT, 1]]
+        figures = sorted(
+            ((rect, text) for rect, text in figures if "iteration" not in text), key=lambda each: -each[0].y
+        )
+        (lowest, zero), *_, (_, top) = figures
+        assert zero == "0" and top.replace(",", "").replace(".", "").strip("0") in {*"1234568", "15"}
+        assert all(low.top >= high.bottom for (low, _), (high, _) in pairwise(figures))
+        assert all(card.contains(rect) for rect, _ in figures)
+        charted = [rect for stroke, rect, _ in strokes if stroke in (charts.curve, charts.hill)]
+        assert all(rect.left > lowest.right for rect in charted)
+    assert "16 ms" in [text for _, text in figures]
+    pygame.display.quit()
+
+
+@pytest.mark.parametrize("number", [0, 0.1, 0.11, 1, 1.6, 7, 99, 100, 5224, 12345678])
+def test_a_round_figure_is_at_most_half_as_large_again(number):
+    assert number <= charts.round_up(number) <= 1.5 * number + 1e-9
 
 
 def coloured(size, scale, factor):

@@ -15,6 +15,7 @@ from game.play.ui.acts import ENTER, key_name
 ROW = 28  # height of a control at scale 1
 GAP = 6  # below a control with a filled body
 INSET = 8  # from the edge of a body to the text in it
+ASIDE = 12  # from a button's label to its key
 
 PUSH_KEYS = frozenset({ENTER, pygame.K_SPACE})
 SEGMENT_KEYS = {pygame.K_LEFT: -1, pygame.K_UP: -1, pygame.K_RIGHT: 1, pygame.K_DOWN: 1}
@@ -65,11 +66,14 @@ def body(ui, rect, me, enabled=True):
 
 
 def _button_words(ui, rect, label, key, colour):
+    """Write the label in the middle, or as little beside it as makes room for the key."""
     px, width = ui.theme.px, ui.theme.width
     inner = rect.inflate(-2 * px(INSET), 0)
-    hint = width(key, look.SMALL) + 2 * px(INSET)
-    if key and width(label, look.BODY) + 2 * hint <= inner.width:
+    hint, wide = width(key, look.SMALL), width(label, look.BODY)
+    if key and wide + px(ASIDE) + hint <= inner.width:
         ui.stroke(paint.words, inner, key, look.SMALL, look.FAINT, 1)
+        aside = max(0, (wide - inner.width) // 2 + px(ASIDE) + hint)
+        inner = pygame.Rect(inner.x, inner.y, inner.width - 2 * aside, inner.height)
     ui.stroke(paint.words, inner, label, look.BODY, colour, 0.5)
 
 
