@@ -83,3 +83,16 @@ def test_a_still_picture_with_something_over_it_is_not_drawn_again(glass):
     notice(glass.toy, glass.now_s)
     glass.wait(20)
     assert glass.toy.notices.shown and not any(glass.frame() for _ in range(10))
+
+
+def test_a_line_of_trouble_is_read_before_the_next_takes_its_place(player):
+    player.hold_time()
+    player.toy.notices.say("It cannot be.", trouble=True)
+    for text in ("Saved.", "Saved again."):
+        player.toy.notices.say(text)
+    seen = []
+    for _ in range(400):
+        player.frame(elapsed_ns=100_000_000)
+        if player.toy.notices.text not in seen:
+            seen.append(player.toy.notices.text)
+    assert seen[:3] == ["It cannot be.", "Saved.", "Saved again."]
