@@ -1,12 +1,15 @@
 """Time that runs ahead: it computes what would have come anyway, and stops at the very iteration that was wanted."""
 
+import threading
+import time
+
 import numpy as np
 import pygame
 import pytest
 
 from game.play import ahead, planner
 from game.world.action import Flip, SetRule
-from game.world.ending import at_rest, find_ending
+from game.world.ending import Cancelled, at_rest, find_ending
 from game.world.maker import scene_of
 from game.world.neck import find_neck
 from game.world.rule import Rule
@@ -247,3 +250,25 @@ def test_an_iteration_for_which_there_was_no_memory_lets_time_go_on(watcher, mon
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher, frames=50)
     assert "not enough memory" in watcher.toy.notices.text
+
+
+def test_a_plan_for_what_is_no_longer_so_is_given_up(watcher, monkeypatch):
+    given_up, too_long = threading.Event(), time.monotonic() + 20
+
+    def endless(course, cancelled):
+        while time.monotonic() < too_long:
+            if cancelled():
+                given_up.set()
+                raise Cancelled
+            time.sleep(0.001)
+
+    monkeypatch.setattr(planner, "PATIENCE_S", 0.0)
+    with monkeypatch.context() as context:
+        context.setattr(planner, "find_ending", endless)
+        watcher.toy.planner.ask()
+        time.sleep(0.01)
+    watcher.toy.do(Flip())
+    for _ in range(2):
+        assert watcher.toy.planner.ask() is None
+        watcher.settle()
+    assert given_up.is_set() and watcher.toy.planner.newest == watcher.toy.planner.ask()

@@ -12,8 +12,9 @@ from PIL import Image
 
 from game.play import recorder, saved_scenes
 from game.play.files import demos
+from game.play.gif import Gif
 from game.play.toy import MOST_FORMER
-from game.world import journal
+from game.world import journal, timeline
 from game.world.assets import asset
 from game.world.colours import NIGHT
 from game.world.history import UNDO, Entry
@@ -233,6 +234,23 @@ def test_many_replays_take_no_more_memory_and_the_players_own_sand_stays_behind_
     while player.toy.leave_session():
         player.frame()
     assert player.session is own and player.world.digest() == sand and own.timeline.memory_mb == memory
+
+
+def test_a_session_that_waits_gives_its_past_back_and_computes_it_anew(glass, monkeypatch):
+    monkeypatch.setattr(timeline, "SPACING_NS", 1)
+    monkeypatch.setattr(timeline, "SHARE", 0)
+    own = glass.session
+    glass.click(glass.pixel(60, 40))
+    while own.timeline.shelf.bytes <= 2 * MEGABYTE:
+        own.timeline.run(50)
+    end, sand = own.now, own.world.digest()
+    glass.toy.files.play_demo(demos()[0])
+    glass.settle()
+    assert glass.session is not own and own.timeline.shelf.bytes <= MEGABYTE
+    glass.toy.leave_session()
+    own.seek(1)
+    own.seek(end)
+    assert own.world.digest() == sand
 
 
 def test_a_photo_is_looked_at_before_it_is_taken(player, tmp_path):
@@ -510,6 +528,25 @@ def test_a_recording_that_cannot_be_written_costs_a_line_and_keeps_no_window_ope
     closing.start()
     closing.join(10)
     assert not closing.is_alive()
+
+
+def test_a_recording_ends_by_itself(glass, monkeypatch):
+    monkeypatch.setattr(recorder, "LONGEST_S", 1.0)
+    glass.key(pygame.K_g)
+    glass.wait(90)
+    assert not glass.toy.recorder.going_on
+    glass.settle()
+    assert "Recorded as" in glass.toy.notices.text
+
+
+def test_a_film_lasts_as_long_as_its_frames_however_short_they_are(tmp_path):
+    film = Gif(tmp_path / "film.gif", bytes(768))
+    for number in range(60):
+        film.add(np.full((4, 4), number, np.uint8), 1000 / 60)
+    film.close()
+    with Image.open(film.path) as image:
+        frames = [image.seek(number) or image.info["duration"] for number in range(image.n_frames)]
+    assert len(frames) == 60 and sum(frames) == pytest.approx(1000, abs=10)
 
 
 def test_a_still_picture_is_written_once(player):

@@ -36,6 +36,15 @@ def test_the_size_of_the_window_is_remembered_once_it_was_changed(remembering):
     assert [Settings.of_user()[f"window_{side}"] for side in ("width", "height")] == [800, 640]
 
 
+def test_the_size_of_a_screen_that_was_filled_is_not_remembered(remembering):
+    player = remembering()
+    before = [player.toy.settings[f"window_{side}"] for side in ("width", "height")]
+    player.key(pygame.K_F11)
+    player.wait(1)
+    assert player.toy.window.fullscreen and player.toy.window.size != (900, 700)
+    assert [player.toy.settings[f"window_{side}"] for side in ("width", "height")] == before
+
+
 def test_what_changed_last_is_saved_at_the_end(remembering):
     player = remembering()
     player.toy.session.timeline.memory_mb = 99

@@ -99,3 +99,16 @@ def test_a_notice_goes_when_what_it_says_holds_no_more(player):
     player.key(pygame.K_b)
     player.wait(2)
     assert "Zoom in" not in (toy.notices.text or "")
+
+
+def test_a_line_of_trouble_is_read_before_the_next_takes_its_place(player):
+    player.hold_time()
+    player.toy.notices.say("It cannot be.", trouble=True)
+    for text in ("Saved.", "Saved again."):
+        player.toy.notices.say(text)
+    seen = []
+    for _ in range(400):
+        player.frame(elapsed_ns=100_000_000)
+        if player.toy.notices.text not in seen:
+            seen.append(player.toy.notices.text)
+    assert seen[:3] == ["It cannot be.", "Saved.", "Saved again."]

@@ -112,6 +112,18 @@ def test_a_question_that_hurries_pushes_the_others_aside(asked):
     assert counting.asked == [1, 4] and one.answer.question.ahead == 4 and one.answer.runs == 3000
 
 
+def test_a_question_that_had_its_time_gives_way_to_a_newer_one(asked, monkeypatch):
+    monkeypatch.setattr(forecaster, "PATIENCE_S", -1.0)
+    world, counting = random_world(np.random.default_rng(81), 6, 6), Counting()
+    one = asked(counting)
+    one.ask(question_of(world, ahead=1))
+    assert counting.started.acquire(timeout=PATIENCE_S)
+    one.ask(question_of(world, ahead=2))
+    counting.go.release()
+    assert counting.started.acquire(timeout=PATIENCE_S)
+    assert one.answer.question.ahead == 1 and one.answer.runs == 1500
+
+
 def test_a_question_that_nobody_asks_any_more_is_dropped(asked, monkeypatch):
     monkeypatch.setattr(forecaster, "LONG_S", 0.0)
     world, counting = random_world(np.random.default_rng(75), 6, 6), Counting()
