@@ -149,7 +149,11 @@ def _paint(paint, world):
     kinds = 1 << KINDS[paint.only] if paint.only else taken_by(paint.material, paint.over_walls)
     shape = SHAPES[paint.shape]
     if paint.material == "erase" and not paint.only and not paint.spray:
-        world.drop_fixtures(lambda x, y: comes_over(shape, x, y, *start, *end, paint.diameter / 2))
+        radius = paint.diameter / 2
+        left, top, right, bottom = box(start, end)
+        far = math.ceil(radius) + 1  # no cell that the brush reaches lies further from the ends
+        reach = left - far, top - far, right + far, bottom + far
+        world.drop_fixtures(lambda x, y: comes_over(shape, x, y, *start, *end, radius), reach)
     ink = Ink(MATERIALS[paint.material], kinds, paint.spray, dye(paint))
     return world.stroke(start, end, paint.diameter, shape, ink)
 
@@ -157,7 +161,7 @@ def _paint(paint, world):
 def _draw(draw, world):
     figure, cells = FIGURES[draw.figure], box(draw.start, draw.end)
     if draw.material == "erase" and not draw.edge:
-        world.drop_fixtures(lambda x, y: covers(figure, x, y, *cells))
+        world.drop_fixtures(lambda x, y: covers(figure, x, y, *cells), cells)
     ink = Ink(MATERIALS[draw.material], taken_by(draw.material, draw.over_walls), colour=dye(draw))
     return world.figure(figure, cells, draw.edge, ink)
 

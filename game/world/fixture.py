@@ -15,7 +15,7 @@ TAP, DRAIN = "tap", "drain"
 FIRST_CELL = knob.Knob("place", 0, -knob.SIDE.high, knob.SIDE.high, "cells", "from the left or upper side", whole=True)
 KEYS = {kind: ("x", "y", "width", "height", "every") for kind in (TAP, DRAIN)}
 KEYS[TAP] += ("colour",)
-SIDE = knob.Knob("side", 1, 1, 200, "cells", "width or height of a fixture", whole=True)
+SIDE = knob.Knob("side", 1, 1, knob.SIDE.high, "cells", "width or height of a fixture", whole=True)
 MOST = 1000  # fixtures of a world
 
 
@@ -55,11 +55,12 @@ class Fixture:
         """First column and row, then those after the last."""
         return self.x, self.y, self.x + self.width, self.y + self.height
 
-    @property
-    def cells(self):
-        """The (column, row) of each of its cells."""
+    def cells_in(self, box):
+        """Yield the (column, row) of each of its cells in a box: first column and row, then those after the last."""
         left, top, right, bottom = self.box
-        return [(x, y) for y in range(top, bottom) for x in range(left, right)]
+        for y in range(max(top, box[1]), min(bottom, box[3])):
+            for x in range(max(left, box[0]), min(right, box[2])):
+                yield x, y
 
     @property
     def ink(self):

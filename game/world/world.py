@@ -111,9 +111,9 @@ class World:
         layout = bit_planes.layout(*sand.shape)
         return World(bit_planes.pack(sand, walls, colours), layout, self.iteration, self.seed, fixtures)
 
-    def drop_fixtures(self, reached):
-        """Take away the fixtures of which reached(column, row) is true for any cell, in place."""
-        self.fixtures = tuple(each for each in self.fixtures if not any(reached(x, y) for x, y in each.cells))
+    def drop_fixtures(self, reached, box):
+        """Take away the fixtures of which reached(column, row) is true for any cell in a box, in place."""
+        self.fixtures = tuple(each for each in self.fixtures if not any(reached(x, y) for x, y in each.cells_in(box)))
 
     def clear(self):
         """Take all sand away, with its colours, and leave the walls, in place."""

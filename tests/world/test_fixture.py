@@ -183,3 +183,25 @@ def test_a_scene_file_places_taps_and_drains_and_says_what_is_wrong(tmp_path):
         with pytest.raises(SceneError, match=told):
             load_scene(path)
     assert json.dumps(Fixture(TAP, 1, 2).as_dict())
+
+
+def test_a_drain_as_wide_as_its_scene_is_so_on_any_lattice():
+    scene = load_scene("fountain", (1800, 1700))
+    drain = next(each for each in scene.fixtures if each.kind == DRAIN)
+    assert (drain.x, drain.width) == (60, 1680)
+
+
+@pytest.mark.parametrize("act", [Paint("erase", (30, 6), (34, 6.5), 3), Draw("ellipse", "erase", (20, 2), (28, 9))])
+def test_the_eraser_takes_the_fixtures_that_it_comes_over(act):
+    fixtures = [Fixture(TAP, x, y) for y in range(12) for x in range(40)]
+    world = World.from_cells(np.zeros((12, 40), bool), np.ones((12, 40), bool))
+    perform(act, world, Rule())
+    erased = ~world.walls
+    world.fixtures = tuple(fixtures)
+    perform(act, world, Rule())
+    assert {(each.x, each.y) for each in fixtures} - {(each.x, each.y) for each in world.fixtures} == {
+        (x, y) for y, x in np.argwhere(erased).tolist()
+    }
+    world.fixtures = (Fixture(DRAIN, -500, 5, 16_384, 2),)
+    perform(act, world, Rule())
+    assert not world.fixtures
