@@ -133,11 +133,10 @@ class Toy:
 
     def is_there(self):
         """Return whether the session is where it should be; wait for that a little, once a frame, or say so."""
-        timeline = self.session.timeline
-        if timeline.goal is not None and not self._has_waited:
+        if not self.session.arrived and not self._has_waited:
             self._has_waited = True
-            timeline.catch_up(self.SEEK_NS)
-        if timeline.goal is None:
+            self.session.catch_up(self.SEEK_NS)
+        if self.session.arrived:
             return True
         self.notices.say("The sand is still being computed.")
         return False

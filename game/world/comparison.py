@@ -50,16 +50,26 @@ class Comparison(Session):
             other.seek(now, _part(budget_ns))
         return super().seek(now, _part(budget_ns))
 
+    @property
+    def arrived(self):
+        """Whether all worlds are where they should be: no seek is unfinished."""
+        return all(session.timeline.goal is None for session in self.sessions.values())
+
+    def catch_up(self, budget_ns):
+        """Go on with unfinished seeks, for about `budget_ns` in all."""
+        for session in self.sessions.values():
+            session.timeline.catch_up(_part(budget_ns))
+
     def undo(self, back=False, budget_ns=None):
         """Take back the last act in all worlds; return whether there was one."""
-        self.keep_up()
+        self.keep_up(_part(budget_ns))
         for other in self.others.values():
             other.undo(back, _part(budget_ns))
         return super().undo(back, _part(budget_ns))
 
     def redo(self, back=False, budget_ns=None):
         """Bring back in all worlds the act undone last or the future left last; return whether there was one."""
-        self.keep_up()
+        self.keep_up(_part(budget_ns))
         for other in self.others.values():
             other.redo(back, _part(budget_ns))
         return super().redo(back, _part(budget_ns))
@@ -90,7 +100,7 @@ class Comparison(Session):
     def frame(self, elapsed_ns, budget_ns=None, due=None):
         """Run what is due in the leading world, and as much in the others; return by how much that is."""
         self.streams = None  # the worlds shall look alike
-        if all(session.timeline.goal is None for session in self.sessions.values()):
+        if self.arrived:
             return super().frame(elapsed_ns, budget_ns, due)
         done = super().frame(elapsed_ns, _part(budget_ns), due if self.timeline.goal is not None else 0)
         self.keep_up(_part(budget_ns))
@@ -119,8 +129,8 @@ class Comparison(Session):
         """Bring the others to where the leading one is; with a budget (ns) a long way is left for later."""
         for other in self.others.values():
             if other.now != self.now or other.timeline.goal is not None:
-                if other.timeline.goal is None and other.now < self.now:
-                    other.timeline.run(self.now - other.now, budget_ns)
+                if other.timeline.goal is None and other.now < self.now and budget_ns is None:
+                    other.timeline.run(self.now - other.now)
                 else:
                     other.seek(self.now, budget_ns)
 

@@ -84,6 +84,15 @@ class Session:
         self._keep_pace()
         return arrived
 
+    @property
+    def arrived(self):
+        """Whether it is where it should be: no seek is unfinished."""
+        return self.timeline.goal is None
+
+    def catch_up(self, budget_ns):
+        """Go on with an unfinished seek, for about `budget_ns`."""
+        self.timeline.catch_up(budget_ns)
+
     def undo(self, back=False, budget_ns=None):
         """Take back the last act, at this iteration or (`back`) at the act's; return whether there was one."""
         now = self.now

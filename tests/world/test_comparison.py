@@ -138,3 +138,28 @@ def test_a_leading_world_with_little_to_do_waits_for_those_with_much():
         assert len({each.now for each in session.sessions.values()}) == 1
     assert 1 < session.now < 10 * 100_000
     assert time.thread_time_ns() - start < 2 * 10 * BUDGET_NS
+
+
+def test_a_moment_far_away_is_waited_for_in_all_worlds(three):
+    three.seek(50_000, budget_ns=1)
+    assert not three.arrived
+    while not three.arrived:
+        before = [session.timeline.moment.now for session in three.sessions.values()]
+        three.catch_up(3000)
+        after = [session.timeline.moment.now for session in three.sessions.values()]
+        assert after >= before != after
+    assert {session.now for session in three.sessions.values()} == {50_000}
+
+
+def test_an_undo_on_the_way_to_a_far_moment_leaves_the_worlds_alike(three):
+    three.timeline.run(40)
+    three.keep_up()
+    three.do(Flip())
+    three.seek(30_000, budget_ns=1)
+    three.undo(budget_ns=1)
+    while not three.arrived:
+        three.catch_up(10**6)
+    alone = {each: Session(session.scene, 9) for each, session in three.sessions.items()}
+    for each, session in alone.items():
+        session.timeline.run(30_000)
+        assert three.sessions[each].world.digest() == session.world.digest()
