@@ -182,7 +182,7 @@ class Plots:
 
     def _frames(self, rect):
         samples = self._watch.samples
-        strokes, room = charts.card(self._toy.theme, rect, "Slowest frame", f"{samples[-1].frame_ms:.1f} ms")
+        strokes, room = charts.card(self._toy.theme, rect, "Slowest frame", _spell_ms(samples[-1].frame_ms))
         numbers, budget = [each.frame_ms for each in samples], BUDGET_NS / 1e6
         high = charts.round_up(max(2 * budget, *numbers))
         figures, room = self._scale(room, 0, high, [(budget, f"{budget:g} ms")])
@@ -212,3 +212,8 @@ class Plots:
         ends = ((f"{nows[0]:,}", 0), (f"iteration {nows[-1]:,}", 1))
         strokes = [(paint.words, foot, text, look.SMALL, look.FAINT, align) for text, align in ends]
         return pygame.Rect(room.x, room.y, room.width, room.height - high - 2), strokes
+
+
+def _spell_ms(ms):
+    """Return a time in five signs or six, however long it is."""
+    return f"{ms:.1f} ms" if ms < 99.95 else f"{ms:.0f} ms" if ms < 999.5 else f"{ms / 1e3:.1f} s"

@@ -149,6 +149,16 @@ def coloured(size, scale, factor):
     return player
 
 
+@pytest.mark.parametrize("slowest_ms", [3.2, 123.4, 12_345.6])
+def test_a_slow_frame_leaves_room_for_its_title(slowest_ms):
+    player = coloured((900, 520), 1, 1)
+    player.toy.plots._watch.samples[-1] = player.toy.plots._watch.samples[-1]._replace(frame_ms=slowest_ms)
+    theme = player.toy.theme
+    rect = next(rect for rect, text, _ in written(player) if text == "Slowest frame")
+    assert theme.width("Slowest frame", look.SMALL) <= rect.width
+    pygame.display.quit()
+
+
 @pytest.mark.parametrize("factor", [1, 15, 1500])
 @pytest.mark.parametrize(
     ("size", "scale"), [((900, 520), 1), ((1280, 720), 1), ((1300, 480), 1), ((1065, 480), 1), ((2560, 1600), 3)]
