@@ -6,7 +6,7 @@ from game.play import lean
 from game.play.timer import RUNNING
 from game.play.tools import SIZES
 from game.world import knob
-from game.world.action import Clear, Load
+from game.world.action import Clear, Load, SetRule
 from game.world.comparison import Comparison, present
 from game.world.duration import spell_left
 
@@ -97,8 +97,11 @@ class Commands:
             self.toy.notices.say(lean.told(act.rule.bias))
 
     def restart(self):
-        """Start the scene again."""
-        self.toy.do(Load(self.toy.session.scene, self.toy.session.seed))
+        """Start the scene again, with the friction and at the speed that are set."""
+        toy, rule, speed = self.toy, self.toy.session.rule, self.toy.timer.own_speed
+        if toy.do(Load(toy.session.scene, toy.session.seed)):
+            toy.do(SetRule(rule), join=True)
+            toy.session.clock.speed = speed
 
     def clear(self):
         """Take all sand away."""
@@ -226,7 +229,7 @@ class Commands:
             toy.leave_session()
         elif toy.is_there():
             session = Comparison(present(toy.session), toy.session.seed)
-            session.paused = toy.session.paused
+            session.paused, session.clock.speed = toy.session.paused, toy.timer.own_speed
             toy.recovery.begin(session, [])
             toy.open_session(session, keep=True)
             words = "The same sand under three schedules. Shift+H or Esc goes back."

@@ -71,7 +71,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("", (pygame.K_x,), "material erase", ""),
         Key(", Shift+,", (pygame.K_COMMA,), "next_colour 1", "next, previous colour"),
         Key("", (pygame.K_COMMA,), "next_colour -1", "", SHIFT),
-        Key("1 … 9", (pygame.K_1, pygame.K_KP1), "size 1", "size of the brush"),
+        Key("1 … 9", (pygame.K_1, pygame.K_KP1), "size 1", "brush of 1, 2, 3, 5, 8 … 55 cells"),
         *(Key("", (pygame.K_1 + more, pygame.K_KP1 + more), f"size {more + 1}", "") for more in range(1, 9)),
         Key("Wheel, [ ]", (pygame.K_LEFTBRACKET,), "smaller_brush", "smaller, larger brush"),
         Key("", (pygame.K_RIGHTBRACKET,), "larger_brush", ""),

@@ -76,7 +76,7 @@ class Panel:
         if ui.button("Redo", key="Ctrl+Y", tip="Brings back what was undone, or the future that was left"):
             commands.redo()
         ui.row(2)
-        if ui.button("Restart", key="R", tip="Starts the scene again"):
+        if ui.button("Restart", key="R", tip="Starts the scene again; friction and speed stay as they are set"):
             commands.restart()
         if ui.button("Clear", key="C", tip="Takes all sand away and leaves the walls"):
             commands.clear()

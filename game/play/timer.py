@@ -78,6 +78,12 @@ class Timer:
         self._toy.glow.stop()
         self._toy.window.set_title(TITLE)
 
+    @property
+    def own_speed(self):
+        """The speed of the session's clock, or what it has to get back when the timer ends."""
+        clock = self._toy.session.clock
+        return self._own[1] if self._own and self._own[0] is clock else clock.speed
+
     def turned(self):
         """Hear that the glass was turned over: after the end that starts the time again."""
         if self.state == OVER:

@@ -268,6 +268,7 @@ def test_a_session_that_was_left_gets_its_speed_back(waiting, stopped_there):
     waiting.pass_time(0.3)
     if stopped_there:
         waiting.key(pygame.K_t, "t")
+        assert waiting.session.clock.speed == speed
     waiting.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
     if not stopped_there:
         waiting.key(pygame.K_t, "t")

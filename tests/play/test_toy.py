@@ -140,6 +140,18 @@ def test_r_starts_the_scene_again(glass):
     assert glass.world.digest() == start
 
 
+def test_r_leaves_friction_and_speed_as_they_were_set_and_one_undo_takes_it_back(glass):
+    glass.toy.do(SetRule(Rule.with_p(0.2)))
+    glass.session.clock.speed = 333.0
+    glass.wait(20)
+    glass.hold_time()
+    before = glass.world.digest()
+    glass.key(pygame.K_r, "r")
+    assert glass.world.iteration == 0 and glass.session.rule == Rule.with_p(0.2) and glass.session.clock.speed == 333
+    glass.session.undo()
+    assert glass.world.digest() == before
+
+
 def test_c_takes_the_sand_and_leaves_the_walls(glass):
     walls = glass.world.walls
     glass.key(pygame.K_c, "c")
