@@ -5,15 +5,18 @@ from functools import partial
 import pygame
 
 from game.play.ui.acts import key_name
+from game.world.drawing import FORMATS
 from game.world.places import folder_of
+from game.world.start import PICTURES
 
 BATCH = 6  # pictures read at a time
 LARGEST = 640, 480  # pixels of a picture that is kept
+HUGE = 4096  # pixels
 KEPT = 30  # pictures kept that are out of sight; up to 0.9 MB each
 
 
 def saved_scenes():
-    """Return the paths of the saved scenes, the newest first."""
+    """Return the paths of the saved scenes, and of photos put beside them, the newest first."""
 
     def age(path):
         try:
@@ -21,7 +24,8 @@ def saved_scenes():
         except OSError:
             return 0
 
-    return sorted(folder_of("scenes").glob("*.png"), key=age, reverse=True)
+    pictures = [path for path in folder_of("scenes").glob("*") if path.suffix.lower() in PICTURES]
+    return sorted(pictures, key=age, reverse=True)
 
 
 class SavedScenes:
@@ -29,7 +33,7 @@ class SavedScenes:
 
     title = "Saved"
     waiting = "no picture"
-    empty = f"Nothing is saved yet: {key_name('Ctrl+S')} saves the scene as it is."
+    empty = f"Nothing is saved yet: {key_name('Ctrl+S')} saves the scene as it is. Photos can be dropped on the window."
     first = 0
 
     def __init__(self, toy):
@@ -100,13 +104,16 @@ class SavedScenes:
 
 def _thumbnails(paths):
     """Return [(path, size, RGB bytes)], with (path, None, None) for a file without a picture."""
-    from PIL import Image
+    from PIL import Image, ImageOps
 
+    Image.MAX_IMAGE_PIXELS = None  # a saved scene may be as large as a lattice
     found = []
     for path in paths:
         try:
-            with Image.open(path, formats=("PNG",)) as image:
-                small = image.convert("RGB")
+            with Image.open(path, formats=FORMATS) as image:
+                if max(image.size) > HUGE:  # the mean of all its cells would take gigabytes
+                    image.thumbnail((HUGE, HUGE), Image.Resampling.NEAREST)
+                small = ImageOps.exif_transpose(image).convert("RGB")
                 small.thumbnail(LARGEST, Image.Resampling.BOX)
                 found.append((path, small.size, small.tobytes()))
         except Exception:  # Pillow's decoders raise whatever a damaged file makes them trip over

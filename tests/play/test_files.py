@@ -83,6 +83,20 @@ def test_saving_twice_keeps_both(player):
     assert len(list(folder_of("scenes").iterdir())) == 2
 
 
+def test_a_photo_beside_the_saved_scenes_is_listed_upright_and_opened(player):
+    held = Image.Exif()
+    held[0x0112] = 6  # turned by a quarter
+    folder_of("scenes").mkdir(parents=True)
+    Image.fromarray(np.full((30, 60, 3), 200, np.uint8)).save(folder_of("scenes") / "Beach.JPG", exif=held)
+    player.key(pygame.K_o, mod=CTRL)
+    player.settle()
+    wide, tall = player.toy.gallery.shelf._pictures[folder_of("scenes") / "Beach.JPG"].get_size()
+    assert tall == 2 * wide
+    player.key(pygame.K_RETURN)
+    player.settle()
+    assert player.toy.photo.shown
+
+
 def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
     player.hold_time()
     grains = []
