@@ -71,6 +71,13 @@ class Panel:
         if ui.button("Flip", key="F", tip="Turns the glass over"):
             commands.flip()
         ui.row(2)
+        if ui.button("Turn left", key="Ctrl+F", tip="Turns the table by a quarter, and the sand falls to another side"):
+            commands.turn("3")
+        if ui.button(
+            "Turn right", key="Shift+F", tip="Turns the table by a quarter, and the sand falls to another side"
+        ):
+            commands.turn("1")
+        ui.row(2)
         if ui.button("Undo", key="Ctrl+Z", tip="Takes back the last act; the sand is as it would have been without"):
             commands.undo()
         if ui.button("Redo", key="Ctrl+Y", tip="Brings back what was undone, or the future that was left"):

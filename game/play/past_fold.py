@@ -13,7 +13,7 @@ class PastFold:
 
     def lay_out(self, ui, toy):
         """Show the rows and obey what was done to them."""
-        self.open = ui.fold("Past", self.open, tip="How undo works, recording, replays, memory")
+        self.open = ui.fold("Recording and past", self.open, tip="How undo works, recording, replays, memory")
         if not self.open:
             return
         commands = toy.commands

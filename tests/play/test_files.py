@@ -218,7 +218,7 @@ def test_a_dropped_replay_is_played_and_left_again(player, glass, tmp_path):
 
 def test_every_shipped_replay_can_be_played_from_the_panel_and_left_by_the_way_it_came(player):
     player.click(player.pixel(60, 40))
-    player.click(player.control("Past"))
+    player.click(player.control("Recording and past"))
     sessions = [player.session]
     for number, path in enumerate(sorted(asset("replays").glob("*.sandglass"))):
         player.click(player.control("Demo"))
