@@ -186,7 +186,7 @@ class Timer:
         if ending.endless:
             return f"{wanted} is over; this sand comes to no end that can be foreseen."
         if ending.iterations == 0 or self._toy.session.now > ending.at:
-            return f"{wanted} is over; no sand was left to tell it."
+            return f"{wanted} is over; {'the sand could not pass' if ending.left else 'no sand was left'} to tell it."
         return f"The last grain fell at {spell(gone_s, 2)}, {self.error_s:.2f} s late."
 
     def _keep_chime(self, samples):
@@ -206,6 +206,8 @@ class Timer:
         """Return (reason, line) for a plan that will not do, or None."""
         if ending.endless:
             return "endless", "This sand does not come to an end that can be foreseen: the timer only counts."
+        if self._toy.session.now >= ending.at and ending.left:
+            return "stuck", "The sand above the neck cannot pass it: the timer only counts."
         if self._toy.session.now >= ending.at:
             return "nothing", "No sand is above the neck: turn the glass over (F), or the timer only counts."
         left_s = self.left_s

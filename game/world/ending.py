@@ -33,6 +33,7 @@ class Ending:
     has_neck: bool  # False: there is no neck, and the last grain is the last that moves at all
     endless: bool  # the search was given up: sand was still passing, or could, when `at` was reached
     iteration_ns: float  # what an iteration took on the way, on average
+    left: int = 0  # grains that stay above the neck, if there is one
 
     @property
     def iterations(self):
@@ -57,7 +58,8 @@ def find_ending(course, cancelled=None, most_iterations=MOST_ITERATIONS, most_ns
     before, left, endless = _last_change(course, sign, cancelled, start + most_iterations, work_ns + most_ns)
     at = last_act if before is None else _exactly(before, course.now, sign, left)
     spent_ns = course.moment.work_ns - work_ns
-    return Ending(start, at, neck is not None, endless, spent_ns / max(1, course.now - start))
+    stay = left if neck else 0
+    return Ending(start, at, neck is not None, endless, spent_ns / max(1, course.now - start), stay)
 
 
 def _exactly(course, end, sign, left):

@@ -9,7 +9,7 @@ from game.play.mixer import RATE
 from game.play.pace import Pace
 from game.play.timer import OFF, OVER, PATIENCE_S, RUNNING
 from game.play.ui.sliders import HANDLE
-from game.world.action import Load, SetRule
+from game.world.action import Load, Paint, SetRule
 from game.world.maker import scene_of
 from game.world.rule import Rule
 from tests.cells import small_glass
@@ -206,6 +206,16 @@ def test_a_timer_without_sand_to_fall_still_ends_on_time(waiting):
     assert "No sand is above the neck" in waiting.toy.notices.text
     waiting.run_out()
     assert waiting.timer.error_s <= FRAME_S + 1e-6 and "no sand was left" in waiting.timer.said
+
+
+def test_sand_that_cannot_pass_is_told_of(waiting):
+    height, width = waiting.world.shape
+    waiting.toy.do(Paint("wall", (0.0, height / 2), (float(width), height / 2), 3))
+    waiting.session.timeline.run(200)
+    waiting.start(2)
+    assert "cannot pass" in waiting.toy.notices.text
+    waiting.run_out()
+    assert "could not pass" in waiting.timer.said
 
 
 def test_a_scene_without_end_is_told_of(waiting, monkeypatch):

@@ -148,3 +148,14 @@ def test_friction_changed_on_the_way_changes_the_ending():
     before = find_ending(session.timeline.course()).at
     session.do(SetRule(Rule.with_p(0.2, "balanced")))
     assert find_ending(session.timeline.course()).at > before
+
+
+def test_what_cannot_pass_is_told_of():
+    session = Session(scene_of(GLASS))
+    session.timeline.run(300)
+    above = find_neck(session.world).grains_above(session.world)
+    assert 0 == find_ending(session.timeline.course()).left < above
+    middle = session.world.shape[0] / 2
+    session.do(Paint("wall", (0.0, middle), (float(session.world.shape[1]), middle), 3))
+    ending = find_ending(session.timeline.course())
+    assert ending.left > 0.8 * above and ending.at - session.now < 60
