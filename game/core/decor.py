@@ -24,10 +24,23 @@ POST_GAP, POST_WIDTH = 120, 36  # to a cell of post or of the gap beside it: so 
 
 def decor_of(planes, where):
     """Return the decor planes of a lattice's walls: (8, length) uint64, the first and then the second bits."""
-    walls = unpack(planes, where, WALL_PLANES)
-    places = np.zeros(walls.shape, np.uint8)
-    decorate(walls.view(np.uint8), places)
+    places = places_of(unpack(planes, where, WALL_PLANES))
     return pack((places & 1).view(np.bool_), (places >> 1).view(np.bool_))[:8]
+
+
+def places_of(walls):
+    """Return what decorates each cell, (H, W) uint8, from (H, W) bool walls; a glass on its side has what it had."""
+    places = _decorated(walls)
+    if (places == POST).any():
+        return places
+    lying = np.rot90(_decorated(np.rot90(walls)), -1)
+    return np.ascontiguousarray(lying) if (lying == POST).any() else places
+
+
+def _decorated(walls):
+    places = np.zeros(walls.shape, np.uint8)
+    decorate(np.ascontiguousarray(walls).view(np.uint8), places)
+    return places
 
 
 @gate

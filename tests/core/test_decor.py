@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from game.core.decor import FREE, GLEAM, INSIDE, POST, WOOD, decor_of, decorate
+from game.core.decor import FREE, GLEAM, INSIDE, POST, WOOD, decor_of, decorate, places_of
 from game.core.planes import layout, pack, unpack
-from game.world.scene import load_scene
+from game.world.scene import load_scene, scene_names
 
 
 def decorated(walls):
@@ -65,7 +65,24 @@ def test_decor_planes_hold_what_decorates_each_cell():
     where = layout(*walls.shape)
     planes = decor_of(pack(np.zeros_like(walls), walls), where)
     found = sum(unpack(planes, where, 4 * bit).astype(int) << bit for bit in range(2))
-    assert (found == decorated(walls)).all()
+    assert (found == places_of(walls)).all()
+
+
+@pytest.mark.parametrize("quarters", [1, 3])
+@pytest.mark.parametrize("name", ["hourglass", "clocks"])
+def test_a_glass_on_its_side_has_the_wood_and_the_posts_that_it_had(name, quarters):
+    walls = load_scene(name).walls
+    upright, lying = places_of(walls), np.rot90(places_of(np.rot90(walls, quarters)), -quarters)
+    assert (upright == POST).any() and (upright == WOOD).any()
+    for kind in (POST, WOOD, INSIDE):
+        seen = [(places == kind) & ((places != INSIDE) | ~walls) for places in (upright, lying)]
+        assert (seen[0] != seen[1]).mean() < 0.02  # a gleam is on the other side of its room
+
+
+@pytest.mark.parametrize("name", [name for name in scene_names() if load_scene(name).made_of == "glass"])
+def test_a_scene_that_stands_is_decorated_as_it_stands(name):
+    walls = load_scene(name).walls
+    assert (places_of(walls) == decorated(walls)).all()
 
 
 def test_a_glass_upside_down_is_decorated_alike_but_for_its_gleam():

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from game import Rule, advance, load_scene
 from game.core import pixels
-from game.core.decor import decorate
+from game.core.decor import places_of
 from game.core.density_pixels import shift_edges
 from game.core.pixels import AIR, GRAIN, GRAIN_BY_WALL, SHADES, SURFACE, TEXTURE, WALL
 from game.world import light
@@ -51,8 +51,7 @@ def test_every_pixel_has_the_colour_of_its_cell(shape, cell, dyed):
 @given(st.integers(1, 20), st.integers(1, 300), st.integers(0, 2**32), st.floats(0, 1), st.floats(0, 1))
 def test_every_neighbourhood_looks_as_its_plain_twin_says(height, width, seed, sand, walls):
     world = random_world(np.random.default_rng(seed), height, width, sand=sand, walls=(1 - sand) * walls)
-    places = np.zeros(world.shape, np.uint8)
-    decorate(world.walls.view(np.uint8), places)
+    places = places_of(world.walls)
     rows, columns = np.mgrid[0:height, 0:width] % TEXTURE
     view, pixels = View(world.shape, 0, 0, width, height), np.zeros(world.shape, np.uint32)
     for made_of, decor in (("stone", None), ("glass", places)):
