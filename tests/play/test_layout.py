@@ -109,6 +109,8 @@ def test_every_button_of_time_and_window_shows_its_key_clear_of_its_label(glass)
     keys = {
         "Pause": "Space",
         "Flip": "F",
+        "Turn left": "Ctrl+F",
+        "Turn right": "Shift+F",
         "Undo": "Ctrl+Z",
         "Redo": "Ctrl+Y",
         "Restart": "R",

@@ -15,7 +15,7 @@ from game.play.ui.acts import ENTER, key_name
 ROW = 28  # height of a control at scale 1
 GAP = 6  # below a control with a filled body
 INSET = 8  # from the edge of a body to the text in it
-ASIDE = 12  # from a button's label to its key
+ASIDE = 10  # from a button's label to its key
 
 PUSH_KEYS = frozenset({ENTER, pygame.K_SPACE})
 SEGMENT_KEYS = {pygame.K_LEFT: -1, pygame.K_UP: -1, pygame.K_RIGHT: 1, pygame.K_DOWN: 1}
