@@ -7,7 +7,7 @@ import pygame
 from game.play import splash
 from game.play.layout import Layout
 from game.play.memory import give_back_freed, spare_what_lasts
-from game.play.opening import first_size, window_size
+from game.play.opening import first_scale, first_size, window_size
 from game.play.toy import Toy
 from game.play.ui.theme import Theme
 from game.play.window import NoDisplayError, Window, desktop_size
@@ -25,6 +25,8 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     """
     give_back_freed()
     pygame.font.init()
+    if not settings.has("ui_scale"):
+        settings["ui_scale"] = first_scale(desktop_size())
     theme = Theme(settings["ui_scale"])
     window = Window(_size(scene, settings, cell, theme), fullscreen)
     cell = View.fit(scene.shape, *Layout(theme, window.size, panel_shown=True).sand).cell

@@ -8,7 +8,8 @@ from game.play.window import room_on
 from game.world import knob
 
 SHARE = 0.7  # of the desktop that a window grows to
-LARGEST = 1920, 1080  # pixels: drawing much more of them would take a good part of each frame
+LARGEST = 2880, 1620  # pixels: drawing many more of them would take a good part of each frame
+FINE, FINE_SCALE = 2000, 1.5  # a desktop of so many pixels from top to bottom has small ones: the panel begins larger
 LOWEST = 560  # pixels at scale 1: of a window whose panel is still of use
 
 
@@ -17,6 +18,11 @@ def window_size(scene, cell, theme):
     px = theme.px
     height, width = (side * cell + 2 * px(MARGIN) for side in scene.shape)
     return width + px(panel.WIDTH), max(height + px(timebar.HEIGHT) + px(hud.HEIGHT), px(LOWEST))
+
+
+def first_scale(desktop):
+    """Return the size that the panel and its text begin with on a desktop of (width, height) in pixels."""
+    return FINE_SCALE if desktop[1] >= FINE else knob.UI_SCALE.default
 
 
 def first_size(scene, theme, desktop):

@@ -65,6 +65,10 @@ class Settings:
             self._overrides.pop(name, None)
             self._values[name] = self._unsaved[name] = value
 
+    def has(self, name):
+        """Return whether a value was set, now or once, rather than left at its default."""
+        return name in self._overrides or name in self._values
+
     def override(self, name, value):
         """Let a value hold for this run: until it is changed, and without being saved."""
         self._overrides[name] = self.rows[name].check(value)

@@ -4,7 +4,7 @@ import pytest
 
 from game.play import loop
 from game.play.layout import MARGIN, Layout
-from game.play.opening import LARGEST, SHARE, first_size, window_size
+from game.play.opening import LARGEST, SHARE, first_scale, first_size, window_size
 from game.play.ui.theme import Theme
 from game.world.scene import load_scene, scene_names
 from game.world.settings import Settings
@@ -47,7 +47,7 @@ def test_a_scene_that_needs_more_gets_what_it_asks_for():
 
 def test_a_large_screen_gets_a_larger_window():
     scene = load_scene("hourglass")
-    assert cell_in(first_size(scene, Theme(1.0), (2560, 1440)), scene, Theme(1.0)) == 4 > scene.cell
+    assert cell_in(first_size(scene, Theme(1.0), (2560, 1440)), scene, Theme(1.0)) == 5 > scene.cell
 
 
 def test_what_was_remembered_or_asked_for_goes_first(monkeypatch):
@@ -57,3 +57,19 @@ def test_what_was_remembered_or_asked_for_goes_first(monkeypatch):
     settings["window_width"], settings["window_height"] = 777, 666
     assert loop._size(scene, settings, None, theme) == (777, 666)
     assert loop._size(scene, settings, 2, theme) == window_size(scene, 2, theme)
+
+
+@pytest.mark.parametrize(("desktop", "scale"), [((1920, 1080), 1.0), ((2560, 1440), 1.0), ((3840, 2160), 1.5)])
+def test_a_screen_of_small_pixels_begins_with_a_larger_panel(desktop, scale):
+    assert first_scale(desktop) == scale
+
+
+def test_what_was_set_is_known_from_what_was_not(tmp_path):
+    settings = Settings(tmp_path / "settings.toml")
+    assert not settings.has("ui_scale")
+    settings.override("ui_scale", 1.0)
+    assert settings.has("ui_scale")
+    kept = Settings(tmp_path / "settings.toml")
+    kept["ui_scale"] = 1.25
+    kept.take_unsaved()()
+    assert Settings(tmp_path / "settings.toml").has("ui_scale")
