@@ -1,6 +1,7 @@
 """How the window looks: colours, sizes under one scale factor, the shipped font, and small smooth sprites."""
 
-from functools import lru_cache
+import weakref
+from functools import lru_cache, partial
 
 import pygame
 
@@ -45,16 +46,20 @@ class Theme:
     def __init__(self, scale=knob.UI_SCALE.default, colours=NIGHT):
         self.scale = knob.UI_SCALE.check(scale)
         self.colours = colours
-        self.px = lru_cache(maxsize=256)(self._px)
+        self.px = self._remembering(Theme._px, 256)
         pygame.font.init()
         self._fonts = {size: pygame.font.Font(str(FONT_FILE), self.px(size)) for size in (BODY, HEADING, SMALL)}
-        self.words = lru_cache(maxsize=512)(self._words)
-        self.width = lru_cache(maxsize=1024)(self._width)
-        self.fitted = lru_cache(maxsize=512)(self._fitted)
-        self.lines = lru_cache(maxsize=128)(self._lines)
-        self.corners = lru_cache(maxsize=64)(self._corners)
-        self.disc = lru_cache(maxsize=32)(self._disc)
-        self.polygon = lru_cache(maxsize=64)(self._polygon)
+        self.words = self._remembering(Theme._words, 512)
+        self.width = self._remembering(Theme._width, 1024)
+        self.fitted = self._remembering(Theme._fitted, 512)
+        self.lines = self._remembering(Theme._lines, 128)
+        self.corners = self._remembering(Theme._corners, 64)
+        self.disc = self._remembering(Theme._disc, 32)
+        self.polygon = self._remembering(Theme._polygon, 64)
+
+    def _remembering(self, method, most):
+        """Return a method that keeps its last results, and not the theme: megabytes of text go as soon as it does."""
+        return lru_cache(maxsize=most)(partial(method, weakref.proxy(self)))
 
     def _px(self, size):
         """Return `size`, given in pixels at scale 1, in whole pixels of the screen, at least 1."""
