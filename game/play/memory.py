@@ -9,6 +9,7 @@ import ctypes
 import gc
 import os
 import sys
+from functools import cache
 
 M_MMAP_THRESHOLD, M_ARENA_MAX = -3, -8  # names of malloc.h
 LARGE = 2**20  # bytes: what is larger has pages of its own; less of a limit costs time, since new pages come empty
@@ -38,6 +39,7 @@ def spare_what_lasts():
     gc.freeze()
 
 
+@cache
 def _of_glibc(name):
     """Return that function of the allocator of Linux, or None where there is another."""
     try:
