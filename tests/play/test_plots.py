@@ -111,8 +111,6 @@ def written(player):
 def test_each_plot_has_a_scale_from_zero_to_a_round_figure_and_the_budget_is_named(size, scale):
     player = coloured(size, scale, 1)
     plots, px = player.toy.plots, player.toy.theme.px
-    samples = plots._watch.samples
-    samples[:] = [each._replace(frame_ms=9.0) for each in samples]  # on whatever machine
     for draw in (plots._flow, plots._filling, plots._pile, plots._frames):
         card = pygame.Rect(0, 0, px(200), px(130))
         strokes = [(stroke, pygame.Rect(rect), how) for stroke, rect, *how in draw(card)]
@@ -148,6 +146,8 @@ def coloured(size, scale, factor):
     tallies = {field.name: tuple(factor * each for each in getattr(account, field.name)) for field in fields(account)}
     player.session.timeline.moment.account = Account(**tallies)
     player.wait(40)
+    samples = player.toy.plots._watch.samples
+    samples[:] = [each._replace(frame_ms=9.0) for each in samples]  # on whatever machine
     return player
 
 
