@@ -47,11 +47,11 @@ class Dial(NamedTuple):
     def spell(self, value):
         """Return the value as text, short enough for a slider's row."""
         if self.log and value >= 10_000:
-            return f"{value / 1e6:g} M" if value >= 1e6 else f"{value / 1e3:g} k"
+            return f"{value / 1e6:.3g} M" if value >= 1e6 else f"{value / 1e3:.3g} k"
         if self.knob.whole:
             return str(value)
         if self.log:
-            return f"{value:g}"
+            return f"{value:.0f}" if value >= 100 else f"{value:.3g}"
         decimals = max(0, -math.floor(math.log10(self.pace)))
         decimals += abs(round(value, decimals) - value) > 1e-6  # one more after a fine step
         return f"{value:.{decimals}f}".replace("-", "–")  # the font has no minus sign; its dash looks like one

@@ -65,3 +65,6 @@ def test_values_are_spelled_short():
     assert Dial(knob.BIAS).spell(-0.5) == "–0.50"
     assert Dial(knob.BRUSH).spell(12) == "12"
     assert [Dial(knob.SPEED, log=True).spell(v) for v in (1.5, 240, 12_000, 1_000_000)] == ["1.5", "240", "12 k", "1 M"]
+    assert [Dial(knob.SPEED, log=True).spell(v) for v in (6.1873, 13.0456, 987.6, 4321.5, 123_456)] == [
+        *("6.19", "13", "988", "4322", "123 k")
+    ]
