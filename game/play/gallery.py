@@ -114,7 +114,9 @@ class Gallery:
     def _said(self):
         """Return the hint that there is room for."""
         room = self._hint(pygame.Rect(self._page().x, 0, self._page().width, 1)).width
-        hints = "Arrows choose    Enter opens    Tab turns the page    Esc closes", "Enter opens    Esc closes", ""
+        away = "Del puts away    " if self.shelf.lets_go and len(self.shelf) else ""
+        long = f"Arrows choose    Enter opens    {away}Tab turns the page    Esc closes"
+        hints = long, f"Enter opens    {away}Esc closes", "Enter opens    Esc closes", ""
         return next(each for each in hints if self._toy.theme.width(each, look.SMALL) <= room)
 
     def _tile_strokes(self, number, rect):
@@ -167,6 +169,10 @@ class Gallery:
             self._choose(0 if event.key == pygame.K_HOME else len(self.shelf) - 1)
         elif event.key == pygame.K_TAB:
             self._look_at(self.shelves[(self.shelves.index(self.shelf) + 1) % len(self.shelves)])
+        elif event.key == pygame.K_DELETE and self.shelf.lets_go and len(self.shelf):
+            self.shelf.put_away(self.chosen)
+            self._choose(min(self.chosen, len(self.shelf) - 1))
+            self.forget()
         elif event.key == pygame.K_ESCAPE:
             self.close()
         else:

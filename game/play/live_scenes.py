@@ -23,6 +23,7 @@ class LiveScenes:
     title = "Scenes"
     waiting = "…"
     empty = ""
+    lets_go = False
 
     def __init__(self, toy):
         self._toy = toy

@@ -7,8 +7,10 @@ import pygame
 from game.play.ui.acts import key_name
 from game.world.drawing import FORMATS
 from game.world.places import folder_of
+from game.world.saving import trouble
 from game.world.start import PICTURES
 
+AWAY = "put away"  # the folder of scenes that are not to be listed
 BATCH = 6  # pictures read at a time
 LARGEST = 640, 480  # pixels of a picture that is kept
 HUGE = 4096  # pixels
@@ -35,6 +37,7 @@ class SavedScenes:
     waiting = "no picture"
     empty = f"Nothing is saved yet: {key_name('Ctrl+S')} saves the scene as it is. Photos can be dropped on the window."
     first = 0
+    lets_go = True  # scenes can be put away
 
     def __init__(self, toy):
         self._toy = toy
@@ -66,6 +69,21 @@ class SavedScenes:
     def open(self, number):
         """Play a scene."""
         self._toy.files.open(self.paths[number])
+
+    def put_away(self, number):
+        """Move a scene to a folder beside the others, where it is not lost, and say so."""
+        path = self.paths[number]
+        target = path.parent / AWAY / path.name
+        try:
+            target.parent.mkdir(exist_ok=True)
+            while target.exists():
+                target = target.with_stem(f"{target.stem} again")
+            path.rename(target)
+        except OSError as error:
+            self._toy.notices.say(trouble(path, "cannot be put away", error), trouble=True)
+            return
+        self._toy.notices.say(f"Moved to {target}")
+        self.begin()
 
     def run(self, now_s, rooms):
         """Fit the pictures that were read into their rooms; return the numbers of those that look different."""

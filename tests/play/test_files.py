@@ -97,6 +97,26 @@ def test_a_photo_beside_the_saved_scenes_is_listed_upright_and_opened(player):
     assert player.toy.photo.shown
 
 
+def test_del_puts_a_saved_scene_away_where_it_is_not_lost(player):
+    for _ in range(2):
+        save(player)
+    player.key(pygame.K_o, mod=CTRL)
+    player.settle()
+    shelf = player.toy.gallery.shelf
+    first, second = shelf.paths
+    for gone in (first, second):
+        data = gone.read_bytes()
+        player.key(pygame.K_DELETE)
+        kept = folder_of("scenes") / saved_scenes.AWAY / gone.name
+        assert not gone.exists() and kept.read_bytes() == data and str(kept) in player.toy.notices.text
+    player.key(pygame.K_DELETE)
+    assert len(shelf) == 0 and player.toy.gallery.shown
+    player.wait(2)
+    player.key(pygame.K_F2)
+    player.key(pygame.K_DELETE)
+    assert len(player.toy.gallery.shelf) > 10
+
+
 def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
     player.hold_time()
     grains = []
