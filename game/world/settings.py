@@ -34,6 +34,7 @@ ROWS = (
     Knob("memory", knob.MEMORY.default, knob.MEMORY.low, knob.MEMORY.high, "MB", knob.MEMORY.meaning, whole=True),
 )
 LARGEST_FILE = 2**20  # bytes
+MOST_NAMED = 5  # bad lines that are named beside the first
 LOCK_TRIES, LOCK_S = 50, 0.02  # how often and how long a file that another window writes is waited for
 
 
@@ -105,9 +106,11 @@ class Settings:
             return
         self._values = kept.values
         if kept.problems:
-            more = len(kept.problems) - 1
-            also = f"; {more} more like it" if more else ""
-            self.problem = f"{self.path}: {kept.problems[0]}{also}; the default is used"
+            first, *others = kept.problems
+            named = [each.partition(":")[0] for each in others[:MOST_NAMED]]  # "line 7"
+            more = ["more"] if others[MOST_NAMED:] else []
+            also = f"; the same with {', '.join(named + more)}" if others else ""
+            self.problem = f"{self.path}: {first}; the default is used{also}"
 
     def _kept(self):
         """Return what the file holds now; raise FileError if it cannot be read."""

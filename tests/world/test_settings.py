@@ -188,3 +188,10 @@ def test_a_damaged_file_gives_settings_that_can_be_used_and_saved(tmp_path, dama
     text = path.read_bytes()
     saved(path)
     assert path.read_bytes() == text
+
+
+def test_every_bad_line_is_named_up_to_a_number(tmp_path):
+    bad = [f'theme = "bad {number}"' for number in range(7)]
+    told = edited(tmp_path / "settings.toml", "\n".join(bad[:3])).problem
+    assert "line 1: theme" in told and told.endswith("; the same with line 2, line 3")
+    assert edited(tmp_path / "many.toml", "\n".join(bad)).problem.endswith("line 5, line 6, more")
