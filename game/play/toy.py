@@ -12,6 +12,7 @@ from game.play.cursor import Cursor
 from game.play.figures import Figures
 from game.play.files import Files
 from game.play.forecasting import Forecasting
+from game.play.former import Former
 from game.play.gallery import Gallery
 from game.play.gauge import Frame, own_ns
 from game.play.glow import Glow
@@ -39,7 +40,6 @@ from game.play.timer import Timer
 from game.play.tools import Brush
 from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
-from game.world import knob
 from game.world.action import Flip, Load, SetRule, Turn
 from game.world.colours import THEMES
 from game.world.comparison import Comparison
@@ -47,8 +47,6 @@ from game.world.rule import Rule
 from game.world.scene import load_scene, scene_title
 from game.world.session import Session
 from game.world.settings import Settings
-
-MOST_FORMER = 4  # sessions behind the one that is played
 
 
 class Toy:
@@ -61,7 +59,6 @@ class Toy:
         self.settings = settings or Settings()
         self.stage = Stage(window)
         self.session = Session(scene, seed)
-        self._former = []  # the sessions that others were opened over
         self.theme = look.Theme(self.settings["ui_scale"], self.colours)
         self.brush = Brush()
         self.commands = Commands(self)
@@ -91,6 +88,7 @@ class Toy:
         self.cursor = Cursor(self)
         self.photo, self.question = PhotoCard(self), Question(self)
         self.recorder, self.recovery, self.keeper = Recorder(self), Recovery(self), Keeper(self)
+        self.former = Former(self.recovery)
         # the last one lies on top
         self.overlays = [self.camera.badge, self.figures, self.question, self.photo, self.notices]
         self.hearing, self.stepping, self.screen = Hearing(self), Stepping(self), Screen(self)
@@ -189,55 +187,42 @@ class Toy:
 
     def open_session(self, session, keep=False):
         """Play another session, and keep this one behind it if it is asked for or anything was done in it."""
-        if keep or self.session.timeline.history.line.before is not None or self._former:
-            self._former.append(self.session)
-        else:
-            self._end(self.session)
+        before = self.session
         self._take(session)
-        self._shrink_former()
+        if keep or before.timeline.history.line.before is not None or self.former:
+            self.former.push(before)
+        else:
+            self.former.end(before)
+        give_back_holes()
 
     def leave_session(self):
         """Go back to the session that this one was opened over; return whether there is one."""
-        if self._former:
-            self._end(self.session)
-            self._take(self._former.pop())
-            return True
-        return False
+        if not self.former:
+            return False
+        self.former.end(self.session)
+        self._take(self.former.pop())
+        give_back_holes()
+        return True
 
     @property
     def can_leave_session(self):
         """Whether this session was opened over another."""
-        return bool(self._former)
+        return bool(self.former)
 
     def close(self):
         """End every session's journal and wait for what is being written."""
         self.recorder.stop()
         self.forecasting.close()
-        for session in (*self._former, self.session):
-            self.recovery.close(session)
+        self.former.close()
+        self.recovery.close(self.session)
         self.keeper.close()
         self.background.finish()
         self.mixer.close()
-
-    def _shrink_former(self):
-        """Leave those behind little memory, their past computed anew if need be; of many, forget the middle ones.
-
-        The first is the player's own.
-        """
-        for session in self._former:
-            session.limit_memory(knob.MEMORY.low)
-        if len(self._former) > MOST_FORMER:
-            self._end(self._former.pop(1))
-
-    def _end(self, session):
-        self.recovery.close(session)
-        session.drop_past()
 
     def _take(self, session):
         session.limit_memory(self.session.memory_mb)
         self.brush.let_go()
         self.stage, self.session = self._stage_of(session), session
-        give_back_holes()
         self.lay_out_anew()
         self._fit()  # what else is heard in this frame finds the stage laid out
 

@@ -12,8 +12,8 @@ from PIL import Image
 
 from game.play import recorder, saved_scenes
 from game.play.files import demos
+from game.play.former import MOST
 from game.play.gif import Gif
-from game.play.toy import MOST_FORMER
 from game.world import journal, timeline
 from game.world.assets import asset
 from game.world.colours import NIGHT
@@ -258,11 +258,11 @@ def test_many_replays_take_no_more_memory_and_the_players_own_sand_stays_behind_
     player.click(player.pixel(60, 40))
     player.hold_time()
     own, sand = player.session, player.world.digest()
-    for _ in range(2 * MOST_FORMER):
+    for _ in range(2 * MOST):
         player.drop(asset("replays", "rooms.sandglass"))
         player.wait(20)
-    former = player.toy._former
-    assert former[0] is own and len(former) == MOST_FORMER
+    former = list(player.toy.former)
+    assert former[0] is own and len(former) == MOST
     assert all(session.timeline.shelf.bytes <= MEGABYTE for session in former)
     memory = player.session.timeline.memory_mb
     while player.toy.leave_session():

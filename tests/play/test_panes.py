@@ -128,7 +128,7 @@ def test_a_flip_turns_all_three_and_undo_brings_them_back(three):
 
 
 def test_undo_that_is_held_neither_leaves_the_comparison_nor_goes_on_beyond_it(three):
-    own = three.toy._former[0]
+    own = next(iter(three.toy.former))
     own.timeline.do(Clear())
     three.hold_time()
     three.key(pygame.K_c, "c")
