@@ -147,7 +147,7 @@ class Ahead:
             if was:
                 self._release()
             return was
-        if self._toy.panel.ui.wants_keys or self._toy.hearing.has_down(pygame.K_RIGHT):
+        if self._toy.hearing.has_down(pygame.K_RIGHT):
             return False
         if self._mode is None:
             self._begin(HELD, at_rest)

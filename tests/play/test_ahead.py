@@ -91,6 +91,21 @@ def test_the_key_belongs_to_a_control_that_has_the_keyboard(watcher):
     assert watcher.world.iteration == 0 and not watcher.toy.ahead.held
 
 
+def test_a_button_that_was_clicked_keeps_neither_right_nor_escape_to_itself(watcher):
+    watcher.click(watcher.control("Compare"))
+    watcher.settle()
+    assert len(watcher.toy.former) == 1
+    watcher.key(pygame.K_ESCAPE)
+    assert not watcher.toy.former
+    watcher.click(watcher.control("Flip"))
+    watcher.now_s += 10
+    watcher.wait(2)
+    at = watcher.world.iteration
+    watcher.press(pygame.K_RIGHT)
+    watcher.wait(3)
+    assert watcher.toy.ahead.held and watcher.world.iteration > at
+
+
 def test_the_button_is_held_as_well(watcher):
     place = watcher.control("Fast")
     watcher.button(pygame.MOUSEBUTTONDOWN, place)

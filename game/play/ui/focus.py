@@ -209,8 +209,8 @@ class Focus:
         key = ENTER if event.key == pygame.K_KP_ENTER else event.key
         text = getattr(event, "unicode", "")
         if key == pygame.K_ESCAPE:
-            self._escape()
-        elif self._acts_on_focused(key, text):
+            return self._escape()
+        if self._acts_on_focused(key, text):
             self._busy = self.reveal = True
             self._tell(self.name, Act("key", key=key, shift=bool(event.mod & pygame.KMOD_SHIFT), text=text))
         elif key in (pygame.K_PAGEUP, pygame.K_PAGEDOWN) and self.scroll.limit:
@@ -226,10 +226,13 @@ class Focus:
         return key in self.slots[self.name].keys and (key != pygame.K_SPACE or self.by_keyboard)
 
     def _escape(self):
+        """Close the open list, else leave a control that Tab led to; one that was clicked keeps no key from others."""
+        was = self.popup or self.by_keyboard
         if self.popup:
             self.popup = None
         else:
             self._drop()
+        return bool(was)
 
     def _walk(self, way):
         """Move the keyboard to the next (1) or the previous (-1) control, round the ends."""
