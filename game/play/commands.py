@@ -237,6 +237,7 @@ class Commands:
 
     def toggle_fullscreen(self):
         """Fill the screen, or go back."""
+        self.toy.let_go()
         self.toy.window.toggle_fullscreen()
         self.toy.lay_out_anew()
 

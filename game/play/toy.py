@@ -237,6 +237,7 @@ class Toy:
         self._now_s, self._has_waited = now_s, False
         self._fit()
         self.background.hear()
+        self.window.find_pointer()
         left = self.cursor.listen(self._left_by_overlays(events, now_s, mouse_pos))
         for event in self._lay_out_panel(left, now_s, mouse_pos):
             self.hearing.hear(event)

@@ -17,6 +17,7 @@ from game.play import icon
 SMALLEST = (640, 480)
 LEAST_SURFACE = (320, 240)  # where a window is made smaller all the same, what it cannot show is drawn beside it
 ROOM_FOR_DECORATION = (24, 80)  # of the desktop, left to the title bar and panels of others
+SWITCH_S = 1.0  # within which the window is where it goes for full screen, or from there
 SLOW_FLIP_MS = 3.0  # a flip that takes longer goes through software OpenGL: writing to the window is far cheaper
 TITLE = "Sandglass"
 NAME = "sandglass"
@@ -36,6 +37,8 @@ class Window:
         Raises NoDisplayError if there is no display.
         """
         self._title, self._beside = TITLE, None
+        self._pointer = self._left = None  # where pointer and window were on the desktop when it was to change its size
+        self._since_s = 0.0  # when that was
         try:
             _start_display()
             self._windowed_size = self._fitting(size)
@@ -74,11 +77,26 @@ class Window:
     def toggle_fullscreen(self):
         """Fill the screen, or go back to the window as it was."""
         self.fullscreen = not self.fullscreen
+        self._pointer, self._left = _on_desktop(pygame.mouse.get_pos()), pygame.display.get_window_position()
+        self._since_s = time.monotonic()
         window = _of_sdl()
         if self.fullscreen:
             window.set_fullscreen(True)  # as the desktop is; SDL knows where the window was and how large
         else:
             window.set_windowed()
+
+    def find_pointer(self):
+        """Keep the pointer where it was once the window went elsewhere under it: X11 tells that only when it moves."""
+        if self._pointer is None:
+            return
+        place = pygame.display.get_window_position()
+        if time.monotonic() - self._since_s > SWITCH_S:
+            self._pointer = None
+        elif place != self._left:
+            x, y = (of_pointer - of_window for of_pointer, of_window in zip(self._pointer, place, strict=True))
+            pygame.mouse.set_pos(x - 1, y)  # where it is already, nothing is told
+            pygame.mouse.set_pos(x, y)
+            self._pointer = None
 
     def set_title(self, title):
         """Show a title, also while the window is minimised."""
@@ -136,6 +154,13 @@ class Window:
         start = time.perf_counter()
         self.show()
         return (time.perf_counter() - start) * 1e3
+
+
+def _on_desktop(place):
+    """Return where a place in the window is on the desktop, or None where the pointer is not in it or that is known."""
+    if pygame.display.get_driver() != "x11" or not pygame.mouse.get_focused():
+        return None
+    return tuple(sum(sides) for sides in zip(place, pygame.display.get_window_position(), strict=True))
 
 
 def _of_sdl():
