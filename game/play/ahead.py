@@ -4,11 +4,13 @@ import time
 
 import pygame
 
+from game.world.comparison import Comparison
 from game.world.ending import at_rest, first_moment
 from game.world.neck import find_neck
 from game.world.session import FRAMES_PER_SECOND
 
 MANY = 2**50  # iterations: more than any frame holds
+MOST_TOGETHER = 1024  # of a frame that runs several worlds: all may rest sooner, and that is not looked for
 SHORTEST_S = 0.3  # what takes less needs no word while it goes on
 
 FIRST_STEP, GROWTH = 4, 1.1  # times the usual iterations of a frame at first, and from frame to frame, while held:
@@ -119,10 +121,11 @@ class Ahead:
         if self._mode is None:
             return None
         self._before = timeline.course()
+        most = MOST_TOGETHER if isinstance(self._toy.session, Comparison) else MANY
         if self._mode != HELD:
-            return MANY
+            return most
         self._step *= GROWTH
-        return int(min(self._step, MANY))
+        return int(min(self._step, most))
 
     def look(self, now_s):
         """See what a frame has come to."""
@@ -135,9 +138,12 @@ class Ahead:
         session.due = session.done  # as many as the frame holds is not too many
         if self._before is None or self._narrowing:
             return
-        if self._reached(session.world, session.rule):
+        found = self._reached(session.world, session.rule) if self._mode == AWAITING else session.at_rest
+        if found and self._mode != AWAITING and isinstance(session, Comparison):
+            self._arrive(session.now)
+        elif found:
             self._narrow()
-        elif self._mode == AWAITING and at_rest(session.world, session.rule):
+        elif self._mode == AWAITING and session.at_rest:
             self._toy.notices.say("No sand will pass the neck any more.")
             self.stop()
 

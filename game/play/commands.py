@@ -210,9 +210,6 @@ class Commands:
     def toggle_plots(self):
         """Show the plots of what the sand does, or no longer."""
         self.toy.plots.toggle()
-        plots = self.toy.plots
-        if plots.shown and not plots.fit:
-            self.toy.notices.say("The window is too small for the plots.", holds=lambda: plots.shown and not plots.fit)
 
     def save_measures(self):
         """Save what the plots have measured."""

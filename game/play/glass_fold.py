@@ -24,6 +24,7 @@ class GlassFold:
     def __init__(self):
         self.open = False
         self._turning = False  # a slider is being dragged, and what it does is one act
+        self._refills = False  # the glass of this drag has been filled anew
 
     def lay_out(self, ui, toy):
         """Show the rows and obey what was done to them."""
@@ -64,12 +65,17 @@ class GlassFold:
         return glass_within(min(max(round(part * width), SMALLEST), SIDE.high), round(part * height))
 
     def _reshape(self, toy, glass, refill=False, join=False):
-        """Put a glass in place; one whose bulb cannot hold the sand is filled anew, for nothing would flow in it."""
+        """Put a glass in place; one whose bulb cannot hold the sand is filled anew, for nothing would flow in it.
+
+        So are those that follow in the same drag: most of the sand is gone.
+        """
         grains = toy.session.world.grains
-        if not refill and grains > glass.inside().sum() // 2:
-            refill = True
-            toy.notices.say(f"A bulb of this glass does not hold {grains:,} grains: it was filled anew.")
-        toy.do(Reshape(glass, refill), join)
+        self._refills = refill or (join and self._refills)
+        if not self._refills and grains > glass.inside().sum() // 2:
+            self._refills = True
+            words = f"A bulb of this glass does not hold {grains:,} grains: it was filled anew."
+            toy.notices.say(words, holds=lambda: toy.session.scene.glass == glass)
+        toy.do(Reshape(glass, self._refills), join)
 
 
 def running_time(toy):

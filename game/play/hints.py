@@ -59,7 +59,7 @@ class Hints:
 
     def _watch(self, now_s):
         """Note since when the sand has been at rest."""
-        if not self._toy.session.world.activity.settled:
+        if not self._toy.session.settled:
             self._still_since_s = None
         elif self._still_since_s is None:
             self._still_since_s = now_s

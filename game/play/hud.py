@@ -60,7 +60,7 @@ class Hud:
 
 def _pace(reading, session):
     """Return how fast the sand runs, in words."""
-    if session.world.activity.settled:
+    if session.settled:
         return "The sand is at rest"
     if reading.full:
         return f"{reading.done:,.0f} of {reading.due:,.0f} iterations a second, all that this computer can do"

@@ -7,6 +7,7 @@ from game.play.ui import theme as look
 
 LEAST_S = 4.0
 S_PER_LETTER = 0.06  # a longer line takes longer to read
+SHORTEST_S = 2.0  # while another line waits
 FADE_S = 0.4
 HEIGHT = 30  # pixels at scale 1
 PAD = 14
@@ -79,4 +80,6 @@ class Notices:
         return 0.0 if self._since_s is None else self._now_s - self._since_s
 
     def _stay(self):
+        if len(self._lines) > 1:
+            return SHORTEST_S
         return LEAST_S + S_PER_LETTER * len(self._lines[0][0])

@@ -30,7 +30,7 @@ class Plots:
 
     def __init__(self, toy):
         self._toy = toy
-        self.shown = False
+        self.shown = self._lacks_room = False
         self._set_row = None  # (scene, row): where the player wants to measure in that scene
         self._watch = self._drawing = self._drawn = None
         self._since_s = self._next_s = 0.0
@@ -66,7 +66,8 @@ class Plots:
         return Layout(toy.theme, toy.window.size, toy.panel_shown, toy.session.world.shape).plots is not None
 
     def look(self, now_s):
-        """Measure if it is time to."""
+        """Measure if it is time to; say where there is no room any more."""
+        self._look_for_room()
         if not self.shown:
             return
         self._slowest_ns = max(self._slowest_ns, self._toy.stepping.frame_ns)
@@ -80,6 +81,11 @@ class Plots:
         self._watch.follow(now_s - self._since_s, self._slowest_ns / 1e6)
         self._next_s = now_s + min(max(SAMPLE_S, SHARE * (time.perf_counter() - begin)), LONGEST_S)
         self._slowest_ns, self._drawing = 0, None
+
+    def _look_for_room(self):
+        lacked, self._lacks_room = self._lacks_room, self.shown and self._toy.layout.plots is None
+        if self._lacks_room and not lacked:
+            self._toy.notices.say("The window is too small for the plots.", holds=lambda: self._lacks_room)
 
     def forget(self):
         """Draw the cards anew next time."""

@@ -3,6 +3,7 @@
 from game.world import knob
 from game.world.action import Load
 from game.world.clock import Clock
+from game.world.ending import at_rest
 from game.world.history import REDO, UNDO, WAIT, Entry
 from game.world.saving import FileError
 from game.world.timeline import Timeline
@@ -88,6 +89,16 @@ class Session:
     def arrived(self):
         """Whether it is where it should be: no seek is unfinished."""
         return self.timeline.goal is None
+
+    @property
+    def at_rest(self):
+        """Whether nothing can move any more, for as long as nothing is done."""
+        return at_rest(self.world, self.rule)
+
+    @property
+    def settled(self):
+        """Whether the last iterations have shown that nothing moves any more."""
+        return self.world.activity.settled
 
     def catch_up(self, budget_ns):
         """Go on with an unfinished seek, for about `budget_ns`."""

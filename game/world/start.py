@@ -6,7 +6,7 @@ from pathlib import Path
 
 from game.world import knob
 from game.world.drawing import joined, parted, resampled
-from game.world.picture_file import Picture, load_picture
+from game.world.picture_file import Photo, Picture, open_picture
 from game.world.scene import load_scene
 
 PICTURES = (".png", ".gif", ".bmp", ".jpg", ".jpeg", ".webp")
@@ -20,7 +20,8 @@ def load_start(name_or_path, size=None):
     """
     if Path(os.fspath(name_or_path)).suffix.lower() not in PICTURES:
         return Picture(load_scene(name_or_path, size), knob.SEED.default)
-    scene, seed = load_picture(name_or_path)
+    found = open_picture(name_or_path)
+    scene, seed = found.picture(in_colours=True) if isinstance(found, Photo) else found
     return Picture(scene if size is None else _on_lattice(scene, *size), seed)
 
 

@@ -8,6 +8,7 @@ import pygame
 import pytest
 
 from game.play import ahead, planner
+from game.play.ahead import MOST_TOGETHER
 from game.world.action import Flip, SetRule
 from game.world.ending import Cancelled, at_rest, find_ending
 from game.world.maker import scene_of
@@ -287,3 +288,20 @@ def test_a_plan_for_what_is_no_longer_so_is_given_up(watcher, monkeypatch):
         assert watcher.toy.planner.ask() is None
         watcher.settle()
     assert given_up.is_set() and watcher.toy.planner.newest == watcher.toy.planner.ask()
+
+
+@pytest.mark.parametrize("code", [pygame.K_END, pygame.K_RIGHT])
+def test_in_a_comparison_rest_is_that_of_all_worlds(watcher, code):
+    watcher.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
+    watcher.press(code)
+    for _ in range(600):
+        watcher.frame()
+        if watcher.session.settled:
+            break
+    watcher.wait(30)
+    worlds = watcher.session.sessions.values()
+    assert watcher.session.at_rest and all(at_rest(each.world, each.rule) for each in worlds)
+    twins = [Session(each.scene, 4) for each in worlds]
+    for twin in twins:
+        twin.timeline.run(max(0, watcher.session.now - MOST_TOGETHER))
+    assert not all(at_rest(each.world, each.rule) for each in twins)

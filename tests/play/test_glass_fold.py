@@ -119,3 +119,15 @@ def test_a_slider_stays_under_the_pointer_when_lines_above_it_go():
     rect = player.toy.panel.ui.rects["Neck"]
     assert rect.collidepoint(places[-1])
     pygame.display.quit()
+
+
+def test_a_drag_to_a_small_glass_and_back_leaves_a_full_one(maker):
+    start = maker.session.scene.glass
+    track = maker.parts("Glass size")[0]
+    pos = maker.control("Glass size", 0.6)
+    maker.drag(*((track.left + int(share * track.width), pos[1]) for share in (0.6, 0.3, 0.1, 0.3, 0.6)))
+    maker.settle()
+    glass = maker.session.scene.glass
+    assert (maker.world.sand == glass.cells()[0]).all() and maker.session.account.balanced(maker.world)
+    assert glass.fill == start.fill and maker.world.grains > 1000
+    assert "filled anew" not in (maker.toy.notices.text or "")

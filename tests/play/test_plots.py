@@ -223,3 +223,16 @@ def test_the_audit_balances_after_whatever_is_done(player):
         lines = player.session.account.lines
         total = sum({"": 1, "+": 1, "-": -1, "=": 0}[sign] * grains for sign, _, grains in lines)
         assert lines[-1] == ("=", "now", total) and total == player.world.grains
+
+
+def test_a_window_that_has_become_too_small_for_the_plots_says_so(glass):
+    glass.key(pygame.K_l, "l")
+    glass.wait(2)
+    assert glass.toy.layout.plots is not None
+    pygame.display.set_mode((640, 480), pygame.RESIZABLE, 32)
+    glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=640, y=480))
+    glass.wait(2)
+    assert glass.toy.layout.plots is None and "too small" in glass.toy.notices.text
+    glass.key(pygame.K_l, "l")
+    glass.wait(2)
+    assert "too small" not in (glass.toy.notices.text or "")

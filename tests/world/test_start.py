@@ -50,6 +50,7 @@ def test_what_is_not_there_is_named_in_one_line(name):
 
 def test_a_photo_and_a_saved_scene_are_played_from_the_command_line(tmp_path, saved, capsys):
     Image.fromarray(np.random.default_rng(2).integers(0, 255, (30, 40, 3), np.uint8)).save(tmp_path / "photo.png")
+    assert load_start(tmp_path / "photo.png").scene.colours is not None
     for path in (tmp_path / "photo.png", saved[0]):
         assert main(["headless", "--scene", str(path), "--frames", "20"]) == 0
         assert path.stem in capsys.readouterr().out
