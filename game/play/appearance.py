@@ -10,7 +10,7 @@ def show(ui, settings):
     tip = "Colours of the window and the sand; the sand moves the same"
     settings["theme"] = themes[ui.choice("Theme", names, themes.index(settings["theme"]), tip=tip)]
     sizes = sorted({*SIZES, settings["ui_scale"]})
-    tip = "Size of this panel and of all text; the sand gets what is left of the window"
+    tip = "Size of this panel and of all text, as far as the window has room for it; the sand gets what is left"
     words = tuple(f"{100 * size:.0f} %" for size in sizes)
     settings["ui_scale"] = sizes[ui.choice("Scale", words, sizes.index(settings["ui_scale"]), tip=tip)]
     tip = "Shows falling sand as the mean of all that happens within a frame; the sand moves the same"

@@ -93,9 +93,16 @@ class Gallery:
         strokes.append((paint.words, self._hint(head), self._said(), look.SMALL, look.FAINT, 1))
         for number, rect in tiles:
             strokes += self._tile_strokes(number, rect)
-        if not len(shelf):
-            strokes.append((paint.words, page, shelf.empty, look.BODY, look.DIM, 0.5))
-        return [*strokes, *self._thumb(), *self._about()]
+        return [*strokes, *self._empty(), *self._thumb(), *self._about()]
+
+    def _empty(self):
+        """Yield the strokes of what there is to say of a shelf without scenes."""
+        theme, page = self._toy.theme, self._page()
+        lines = theme.lines(self.shelf.empty, look.BODY, page.width) if not len(self.shelf) else ()
+        line = theme.line_height(look.BODY)
+        for number, each in enumerate(lines):
+            place = pygame.Rect(page.x, page.centery + number * line, page.width, line)
+            yield paint.words, place, each, look.BODY, look.DIM, 0.5
 
     def _thumb(self):
         """Yield the stroke of the scroll bar's thumb, where not all rows show."""

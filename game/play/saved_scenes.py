@@ -35,7 +35,7 @@ class SavedScenes:
 
     title = "Saved"
     waiting = "no picture"
-    empty = f"Nothing is saved yet: {key_name('Ctrl+S')} saves the scene as it is. Photos can be dropped on the window."
+    empty = f"Nothing is saved: {key_name('Ctrl+S')} saves the scene as it is. Photos can be dropped on the window."
     first = 0
     lets_go = True  # scenes can be put away
 

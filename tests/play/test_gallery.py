@@ -146,3 +146,14 @@ def test_no_world_is_made_for_a_gallery_whose_window_was_closed(player):
     player.frame(pygame.event.Event(pygame.QUIT))
     player.toy.close()
     assert len(player.toy.gallery.shelf._lives) < len(scene_names()) and not player.toy.background.busy
+
+
+def test_what_is_said_of_an_empty_shelf_is_all_there_in_a_small_window(player):
+    pygame.display.set_mode((640, 480), pygame.RESIZABLE, 32)
+    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=640, y=480))
+    player.key(pygame.K_o, mod=pygame.KMOD_LCTRL)
+    player.wait(2)
+    gallery, theme = player.toy.gallery, player.toy.theme
+    said = list(gallery._empty())
+    assert " ".join(text for _, _, text, *_ in said) == gallery.shelf.empty
+    assert all(theme.width(text, kind) <= rect.width for _, rect, text, kind, *_ in said)
