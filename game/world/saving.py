@@ -15,11 +15,16 @@ def _umask():
 UMASK = _umask()  # of this process, read once: that sets it for a moment, which two threads must not do at once
 
 
+def printable(text):
+    """Return text as it can be shown in one line: with a space for each sign that cannot."""
+    return "".join(sign if sign.isprintable() else " " for sign in text)
+
+
 class FileError(ValueError):
     """What is wrong with a file, as one line: FILE: PLACE: found X, wanted Y."""
 
     def __init__(self, line):
-        super().__init__("".join(c if c.isprintable() else " " for c in str(line)))
+        super().__init__(printable(str(line)))
 
 
 def trouble(path, doing, error):

@@ -4,6 +4,7 @@ import json
 import tomllib
 from dataclasses import dataclass, field
 
+from game.world.saving import printable
 from game.world.table import shown
 
 VERSION = 1
@@ -62,7 +63,7 @@ def _take(kept, line, number, row, value):
 
 
 def _put_aside(kept, line, problem):
-    kept.problems.append("".join(c if c.isprintable() else " " for c in problem))
+    kept.problems.append(printable(problem))
     kept.strangers.append(f"#? {line.decode('utf-8', 'replace')}")
 
 

@@ -5,6 +5,8 @@ import math
 import re
 import tomllib
 
+from game.world.saving import printable
+
 LARGEST_FILE = 32 * 2**20  # bytes: twice what drawing a 4K lattice cell by cell takes
 LONGEST_LINE = 200  # characters of a title or notice
 
@@ -14,12 +16,12 @@ class SceneError(ValueError):
 
     def __init__(self, file, key, found, wanted):
         line = f"{file}: {key}: found {found}, wanted {wanted}"
-        super().__init__("".join(c if c.isprintable() else " " for c in line))
+        super().__init__(printable(line))
 
 
 def as_line(text):
     """Return text as `Table.line` takes it: a space for a sign that cannot be shown, and no more than fits."""
-    return "".join(sign if sign.isprintable() else " " for sign in text)[:LONGEST_LINE]
+    return printable(text)[:LONGEST_LINE]
 
 
 class Table:
