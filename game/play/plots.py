@@ -8,7 +8,6 @@ import pygame
 
 from game.play import charts
 from game.play.books import card, heights, widths
-from game.play.layout import Layout
 from game.play.ui import paint
 from game.play.ui import theme as look
 from game.world.places import new_file
@@ -58,12 +57,6 @@ class Plots:
     @measured_row.setter
     def measured_row(self, row):
         self._set_row = self._toy.session.scene, row
-
-    @property
-    def fit(self):
-        """Whether the window has room for them."""
-        toy = self._toy
-        return Layout(toy.theme, toy.window.size, toy.panel_shown, toy.session.world.shape).plots is not None
 
     def look(self, now_s):
         """Measure if it is time to; say where there is no room any more."""

@@ -5,7 +5,6 @@ from dataclasses import replace
 
 from game.world import knob
 from game.world.action import Load, SetRule
-from game.world.ending import at_rest
 from game.world.rule import SCHEDULES
 from game.world.session import Session
 
@@ -54,17 +53,17 @@ class Comparison(Session):
     @property
     def arrived(self):
         """Whether all worlds are where they should be: no seek is unfinished."""
-        return all(session.timeline.goal is None for session in self.sessions.values())
+        return super().arrived and all(other.arrived for other in self.others.values())
 
     @property
     def at_rest(self):
         """Whether nothing can move any more in any world."""
-        return all(at_rest(session.world, session.rule) for session in self.sessions.values())
+        return super().at_rest and all(other.at_rest for other in self.others.values())
 
     @property
     def settled(self):
         """Whether nothing moves any more in any world."""
-        return all(session.world.activity.settled for session in self.sessions.values())
+        return super().settled and all(other.settled for other in self.others.values())
 
     def catch_up(self, budget_ns):
         """Go on with unfinished seeks, for about `budget_ns` in all."""
