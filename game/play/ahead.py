@@ -16,12 +16,8 @@ SHORTEST_S = 0.3  # what takes less needs no word while it goes on
 FIRST_STEP, GROWTH = 4, 1.1  # times the usual iterations of a frame at first, and from frame to frame, while held:
 # one can see a glass run out, and yet after a second and a half all that a frame holds is computed
 
-HELD, RESTING, SETTLING, AWAITING = (
-    "held",
-    "resting",
-    "settling",
-    "awaiting",
-)  # resting: let go when all had come to rest
+HELD, SETTLING, AWAITING = "held", "settling", "awaiting"
+RESTING = "resting"  # the key was let go while the iteration was looked for at which all came to rest
 
 
 class Ahead:
@@ -209,9 +205,9 @@ class Ahead:
         session.timeline.forget_beyond()
         if self._mode == HELD:
             self._before, self._narrowing, self._rested = None, False, session.timeline.history.line
-        if self._mode in (HELD, RESTING):
-            if self._mode == RESTING:
-                self.stop()
+            return
+        if self._mode == RESTING:
+            self.stop()
             return
         gone = f"{at - self._start:,} iterations, computed in {took_s:.2f} s."
         said = {SETTLING: "Nothing can move any more after", AWAITING: "A grain passes the neck after"}[self._mode]

@@ -71,11 +71,10 @@ class Panel:
         if ui.button("Flip", key="F", tip="Turns the glass over"):
             commands.flip()
         ui.row(2)
-        if ui.button("Turn left", key="Ctrl+F", tip="Turns the table by a quarter, and the sand falls to another side"):
+        tip = "Turns the table by a quarter, and the sand falls to another side"
+        if ui.button("Turn left", key="Ctrl+F", tip=tip):
             commands.turn("3")
-        if ui.button(
-            "Turn right", key="Shift+F", tip="Turns the table by a quarter, and the sand falls to another side"
-        ):
+        if ui.button("Turn right", key="Shift+F", tip=tip):
             commands.turn("1")
         ui.row(2)
         if ui.button("Undo", key="Ctrl+Z", tip="Takes back the last act; the sand is as it would have been without"):
