@@ -23,10 +23,10 @@ Scene      a world, rule and pace read from a file by `load_scene`, by the name 
 The model is that of Devlin & Schuster, "Probabilistic Cellular Automata for Granular Media in Video Games" (2020).
 """
 
-from game.world.advance import advance
-from game.world.forecast import density
-from game.world.rule import Rule
-from game.world.scene import Scene, SceneError, load_scene, scene_names
-from game.world.world import World
+from game.world.sand.advance import advance
+from game.world.sand.ensemble import density
+from game.world.sand.rule import Rule
+from game.world.sand.world import World
+from game.world.scenes.scene import Scene, SceneError, load_scene, scene_names
 
 __all__ = ["Rule", "Scene", "SceneError", "World", "advance", "density", "load_scene", "scene_names"]

@@ -5,7 +5,7 @@ import sys
 from importlib.util import find_spec
 from pathlib import Path
 
-from game.world import knob
+from game.world.sand import parameters
 
 SCENE = "hourglass"
 STUDY_NEEDS = ("matplotlib", "rich")  # packages of the `study` extra
@@ -52,12 +52,12 @@ def _size(text):
     parts = text.lower().split("x")
     if len(parts) != 2:
         raise argparse.ArgumentTypeError(f"size must be WIDTHxHEIGHT in cells, as in 480x270, got {text!r}")
-    return tuple(map(_setting(knob.SIDE), parts))
+    return tuple(map(_setting(parameters.SIDE), parts))
 
 
 def _duration(text):
     """Read a time such as '3m' in seconds."""
-    from game.world.duration import parse_duration
+    from game.world.sand.duration import parse_duration
 
     try:
         return parse_duration(text)
@@ -70,9 +70,11 @@ def _scene_options(parser):
         "--scene", metavar="NAME|FILE", help=f"a shipped scene, a scene file or a picture (default: {SCENE})"
     )
     parser.add_argument(
-        "--p", type=_setting(knob.P), help="probability that grains topple, 0 … 1 (default: the scene's)"
+        "--p", type=_setting(parameters.P), help="probability that grains topple, 0 … 1 (default: the scene's)"
     )
-    parser.add_argument("--seed", type=_setting(knob.SEED), help=f"{knob.SEED.meaning} (default: the scene's)")
+    parser.add_argument(
+        "--seed", type=_setting(parameters.SEED), help=f"{parameters.SEED.meaning} (default: the scene's)"
+    )
     parser.add_argument("--size", type=_size, metavar="WxH", help="another lattice for the scene, in cells")
 
 
@@ -91,16 +93,20 @@ def _play_parser():
         metavar="TIME",
         help="run out after 3m, 90s, 1:30 or 1h; without --scene in a glass made for it",
     )
-    parser.add_argument("--cell", type=_setting(knob.CELL), metavar="PX", help=f"{knob.CELL.meaning}, in pixels")
+    parser.add_argument(
+        "--cell", type=_setting(parameters.CELL), metavar="PX", help=f"{parameters.CELL.meaning}, in pixels"
+    )
     parser.add_argument("--fullscreen", action="store_true", help="start in full screen")
-    parser.add_argument("--ui-scale", type=_setting(knob.UI_SCALE), help=knob.UI_SCALE.meaning)
+    parser.add_argument("--ui-scale", type=_setting(parameters.UI_SCALE), help=parameters.UI_SCALE.meaning)
     return parser
 
 
 def _headless_parser():
     parser = _Parser(prog="sandglass headless", description="Play frames without a window and time them.")
     _scene_options(parser)
-    parser.add_argument("--frames", type=_setting(knob.FRAMES), default=knob.FRAMES.default, help=knob.FRAMES.meaning)
+    parser.add_argument(
+        "--frames", type=_setting(parameters.FRAMES), default=parameters.FRAMES.default, help=parameters.FRAMES.meaning
+    )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument("--replay", metavar="FILE", help="compute a recorded session to its end instead")
     return parser
@@ -131,9 +137,9 @@ def _study_parser():
 
 def _load(options):
     """Return the scene and the seed that the options ask for, or leave with status 2 and one line."""
-    from game.world.picture_file import PictureError
-    from game.world.scene import SceneError
-    from game.world.start import load_start
+    from game.world.scenes.open_scene import load_start
+    from game.world.scenes.picture_file import PictureError
+    from game.world.scenes.scene import SceneError
 
     try:
         scene, seed = load_start(SCENE if options.scene is None else options.scene, options.size)
@@ -153,7 +159,7 @@ def _headless(options):
 
 def _load_replay(options):
     """Return the Recording the options ask for, or leave with status 2 and one line."""
-    from game.world.replay import ReplayError, load_replay
+    from game.world.sessions.recording import ReplayError, load_replay
 
     try:
         recording = load_replay(options.replay)
@@ -206,7 +212,7 @@ def _refuse(words):
 
 def _settings(flags):
     """Return the user's settings, with the flags that were given over them; say in one line what is wrong with them."""
-    from game.world.settings import Settings
+    from game.world.files.settings import Settings
 
     settings = Settings.of_user()
     if settings.problem:
@@ -222,11 +228,11 @@ def _scene_to_play(options, recording):
     if recording:
         return recording.scene, recording.seed
     if options.timer and options.scene is None:
-        from game.world.maker import glass_for, glass_within, scene_of
+        from game.world.scenes.hourglass_maker import glass_for, glass_within, scene_of
 
         try:
             glass = glass_within(*options.size) if options.size else glass_for(options.timer)
-            return scene_of(glass), knob.SEED.default if options.seed is None else options.seed
+            return scene_of(glass), parameters.SEED.default if options.seed is None else options.seed
         except ValueError as error:
             raise SystemExit(_refuse(error)) from None
     return _load(options)
@@ -245,5 +251,5 @@ def _play(options):
         if recording:
             options.json = False
             return _replay(options)
-        options.frames, options.json = knob.FRAMES.default, False
+        options.frames, options.json = parameters.FRAMES.default, False
         return _headless(options)

@@ -6,18 +6,18 @@ import time
 
 import numpy as np
 
-from game.world import knob
-from game.world.action import Flip, SetRule
-from game.world.picture import Painter
-from game.world.prepare import steps
-from game.world.rule import Rule
-from game.world.session import BUDGET_NS, Session
-from game.world.view import View
+from game.world.background.kernel_warmup import steps
+from game.world.looks.painter import Painter
+from game.world.looks.view import View
+from game.world.sand import parameters
+from game.world.sand.rule import Rule
+from game.world.sessions.action import Flip, SetRule
+from game.world.sessions.session import BUDGET_NS, Session
 
 FRAME_NS = 16_666_667  # 60 frames a second
 
 
-def run(scene, frames=knob.FRAMES.default, p=None, seed=0):
+def run(scene, frames=parameters.FRAMES.default, p=None, seed=0):
     """Play `frames` frames of `scene` and return the report as a dict.
 
     frame_ms covers stepping and drawing into an array the size of the scene's window.

@@ -3,10 +3,10 @@
 import numpy as np
 
 from game import World
-from game.world import knob
-from game.world.glass_shape import Glass
+from game.world.sand import parameters
+from game.world.scenes.hourglass_spec import Glass
 
-NAMES = [each.name for each in knob.PROBABILITIES]
+NAMES = [each.name for each in parameters.PROBABILITIES]
 
 
 def world_of(rows, seed=0):

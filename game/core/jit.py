@@ -26,7 +26,7 @@ STREAMS = 20  # places in an array that a loop with `apart` can go along from
 def _digest():
     """Return a short hex digest of the kernel sources and of the versions that compile them."""
     digest = hashlib.sha256()
-    for source in sorted(Path(__file__).parent.glob("*.py")):
+    for source in sorted(Path(__file__).parent.rglob("*.py")):
         digest.update(source.name.encode() + b"\0" + source.read_bytes() + b"\0")
     versions = (platform.python_version(), platform.machine(), numba.__version__, llvmlite.__version__, np.__version__)
     digest.update("\0".join(versions).encode())

@@ -16,8 +16,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.core.cells import BITS, pack_cells, turned_cells, unpack_cells
 from game.core.jit import gate, kernel
+from game.core.packing import BITS, pack_cells, turned_cells, unpack_cells
 
 SAND = 0  # first plane of sand
 WALLS = 4  # first plane of walls

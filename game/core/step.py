@@ -14,7 +14,15 @@ import numpy as np
 
 from game.core.block import events
 from game.core.chance import STAGE, iteration_key, random_word, seed_stream
-from game.core.colour import Tracks, add_tracks, bits_of_colours, follow_all, follow_few, leave_tracks, many_moved
+from game.core.grain_colours import (
+    Tracks,
+    add_tracks,
+    bits_of_colours,
+    follow_all,
+    follow_few,
+    leave_tracks,
+    many_moved,
+)
 from game.core.jit import gate, kernel
 from game.core.planes import SHIFTED_WALLS, WALLS
 from game.core.seam import close_seams, open_seams

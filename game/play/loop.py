@@ -5,15 +5,15 @@ import time
 import pygame
 
 from game.play import splash
-from game.play.layout import Layout
-from game.play.memory import give_back_freed, spare_what_lasts
-from game.play.opening import first_scale, first_size, window_size
-from game.play.toy import Toy
+from game.play.app import Toy
 from game.play.ui.theme import Theme
-from game.play.window import NoDisplayError, Window, desktop_size
-from game.world.companion import Worker, steps_to_play
-from game.world.session import FRAMES_PER_SECOND
-from game.world.view import View
+from game.play.window.allocator import give_back_freed, spare_what_lasts
+from game.play.window.layout import Layout
+from game.play.window.opening import first_scale, first_size, window_size
+from game.play.window.window import NoDisplayError, Window, desktop_size
+from game.world.background.compile_worker import Worker, steps_to_play
+from game.world.looks.view import View
+from game.world.sessions.session import FRAMES_PER_SECOND
 
 __all__ = ["NoDisplayError", "play"]
 

@@ -3,13 +3,13 @@
 import numpy as np
 
 from game import Rule, World, advance
-from game.study import verdict
-from game.study.figures import figure
-from game.study.moments import Sample
-from game.study.report import Picture, Table
-from game.study.settling import column
+from game.study.paper.settling import column
+from game.study.report import verdict
+from game.study.report.drawing import figure
+from game.study.report.report import Picture, Table
+from game.study.report.statistics import Sample
 from game.study.tank import Tank
-from game.world.measure import pile_heights, slope_degrees
+from game.world.sand.measure import pile_heights, slope_degrees
 
 TITLE = "6. Sand as physics"
 WIDTH, HEIGHT = 96, 200  # cells, of the tank

@@ -12,17 +12,20 @@ from pathlib import Path
 
 import numpy as np
 
-from game.study import exact, hard, paper, physics, schedules, trade
-from game.study.console import Desk
-from game.study.report import DISAGREES, Report, Section
-from game.study.writers import write
+from game.study import hard_cases, physics, schedules
+from game.study.exact import part as exact
+from game.study.paper import part as paper
+from game.study.report.console import Desk
+from game.study.report.markdown import write
+from game.study.report.report import DISAGREES, Report, Section
+from game.study.trade import part as trade
 
 PARTS = {
     "exact": exact,
     "paper": paper,
     "trade": trade,
     "schedules": schedules,
-    "hard": hard,
+    "hard": hard_cases,
     "physics": physics,
 }  # in the order of reading
 

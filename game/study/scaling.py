@@ -5,8 +5,8 @@ import time
 import numpy as np
 
 from game import Rule, World, advance
-from game.study import verdict
-from game.study.report import Table
+from game.study.report import verdict
+from game.study.report.report import Table
 
 PAPER = {(640, 480): 1.0, (800, 600): 1.45, (1920, 1080): 6.98, (2560, 1440): 12.61, (3840, 2160): 27.88}
 ROUNDS = 9

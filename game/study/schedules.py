@@ -5,14 +5,14 @@ from itertools import product
 import numpy as np
 
 from game import Rule, World, advance, load_scene, scene_names
-from game.study import verdict
-from game.study.moments import Sample
-from game.study.neighbourhoods import ALL_FOUR, LONG, MIRRORED, SIDE, glass, stuck
-from game.study.report import Table
-from game.world.forecast import counts_at
-from game.world.glass import hourglass
-from game.world.measure import grains_above
-from game.world.rule import SCHEDULES
+from game.study.paper.sticking import ALL_FOUR, LONG, MIRRORED, SIDE, glass, stuck
+from game.study.report import verdict
+from game.study.report.report import Table
+from game.study.report.statistics import Sample
+from game.world.sand.ensemble import counts_at
+from game.world.sand.measure import grains_above
+from game.world.sand.rule import SCHEDULES
+from game.world.scenes.hourglass import hourglass
 
 TITLE = "4. The three schedules"
 SEED = 4

@@ -3,7 +3,7 @@
 import numpy as np
 
 from game import Rule, World
-from game.world.measure import flow, grains_above
+from game.world.sand.measure import flow, grains_above
 
 BELOW = 40  # rows under the neck
 CLEARED = 8  # rows under the neck that keep their sand

@@ -5,7 +5,7 @@ import pytest
 
 from game import Rule, World, advance
 from game.core.step import CYCLE
-from game.world.action import Clear, Flip, Paint, SetRule, apply
+from game.world.sessions.action import Clear, Flip, Paint, SetRule, apply
 from tests.cells import random_world
 
 RULES = {

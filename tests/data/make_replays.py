@@ -3,12 +3,12 @@
 import math
 from itertools import pairwise
 
-from game.world.action import Clear, Flip, Load, Paint, SetRule
-from game.world.assets import asset
-from game.world.replay import SUFFIX, save_replay
-from game.world.rule import Rule
-from game.world.scene import load_scene
-from game.world.session import Session
+from game.world.files.assets import asset
+from game.world.sand.rule import Rule
+from game.world.scenes.scene import load_scene
+from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule
+from game.world.sessions.recording import SUFFIX, save_replay
+from game.world.sessions.session import Session
 
 
 def three_turns():

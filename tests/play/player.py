@@ -4,9 +4,9 @@ import time
 
 import pygame
 
-from game.play.toy import Toy
-from game.play.window import Window
-from game.world.scene import load_scene
+from game.play.app import Toy
+from game.play.window.window import Window
+from game.world.scenes.scene import load_scene
 
 FRAME_NS = 16_666_667
 

@@ -4,14 +4,14 @@ import numpy as np
 import pytest
 
 from game import Rule, World, advance
-from game.study import pixels, trade
-from game.study.moments import Sample, shape_of
-from game.study.neighbourhoods import glass, stuck
+from game.study.paper.sticking import glass, stuck
 from game.study.physics import PER_COLUMN
-from game.study.points import Point, point
-from game.study.settings import shortened
+from game.study.report.statistics import Sample, shape_of
 from game.study.tank import BITE, Tank
-from game.world.rule import SCHEDULES
+from game.study.trade import cell_sizes, part
+from game.study.trade.chance_settings import shortened
+from game.study.trade.points import Point, point
+from game.world.sand.rule import SCHEDULES
 
 
 @pytest.mark.parametrize("schedule", PER_COLUMN)
@@ -77,11 +77,14 @@ def test_a_probability_is_shortened_to_the_nearest_fraction(bits, p):
 
 
 def test_cells_of_all_sizes_show_the_same_sand_on_the_common_grid():
-    shares = [pixels.seen(np.ones((pixels.HEIGHT // cell, pixels.WIDTH // cell), bool), cell) for cell in pixels.CELLS]
+    shares = [
+        cell_sizes.seen(np.ones((cell_sizes.HEIGHT // cell, cell_sizes.WIDTH // cell), bool), cell)
+        for cell in cell_sizes.CELLS
+    ]
     assert all(share.shape == (39, 30) and (share == 1.0).all() for share in shares)
 
 
 def test_the_picture_of_the_trade_draws_every_series():
-    points = [Point(series, "1", 1.0, 2.0, 3.0, 0.1, 1.0, True) for series in trade.COLOURS]
-    panels = trade.drawn(points).axes
-    assert [panel.get_title() for panel in panels] == list(trade.COLOURS)
+    points = [Point(series, "1", 1.0, 2.0, 3.0, 0.1, 1.0, True) for series in part.COLOURS]
+    panels = part.drawn(points).axes
+    assert [panel.get_title() for panel in panels] == list(part.COLOURS)

@@ -8,9 +8,9 @@ import itertools
 
 import pygame
 
-from game.play.ui import paint
+from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.ui.acts import ENTER, key_name
+from game.play.ui.input import ENTER, key_name
 
 ROW = 28  # height of a control at scale 1
 GAP = 6  # below a control with a filled body
@@ -27,7 +27,7 @@ def heading(ui, label):
     px = ui.theme.px
     ui.skip(px(8) if ui.begun else 0)
     rect = ui.place(px(ROW), 0)
-    ui.stroke(paint.words, rect, label, look.HEADING, look.HANDLE, 0)
+    ui.stroke(draw_list.words, rect, label, look.HEADING, look.HANDLE, 0)
 
 
 def text(ui, paragraph, dim=False):
@@ -37,7 +37,7 @@ def text(ui, paragraph, dim=False):
     rect = ui.place(height * len(lines), ui.theme.px(GAP))
     for index, line in enumerate(lines):
         row = pygame.Rect(rect.x, rect.y + index * height, rect.width, height)
-        ui.stroke(paint.words, row, line, look.SMALL, look.DIM if dim else look.TEXT, 0)
+        ui.stroke(draw_list.words, row, line, look.SMALL, look.DIM if dim else look.TEXT, 0)
 
 
 def button(ui, label, key="", tip="", name=None, enabled=True):
@@ -62,7 +62,7 @@ def pushes(me, rect):
 def body(ui, rect, me, enabled=True):
     """Draw the raised or pressed body of a button."""
     colour = look.PRESSED if me.held else look.HOVER if me.hover and enabled else look.RAISED
-    ui.stroke(paint.box, rect, colour, ui.theme.px(4))
+    ui.stroke(draw_list.box, rect, colour, ui.theme.px(4))
 
 
 def _button_words(ui, rect, label, key, colour):
@@ -71,10 +71,10 @@ def _button_words(ui, rect, label, key, colour):
     inner = rect.inflate(-2 * px(INSET), 0)
     hint, wide = width(key, look.SMALL), width(label, look.BODY)
     if key and wide + px(ASIDE) + hint <= inner.width:
-        ui.stroke(paint.words, inner, key, look.SMALL, look.FAINT, 1)
+        ui.stroke(draw_list.words, inner, key, look.SMALL, look.FAINT, 1)
         aside = max(0, (wide - inner.width) // 2 + px(ASIDE) + hint)
         inner = pygame.Rect(inner.x, inner.y, inner.width - 2 * aside, inner.height)
-    ui.stroke(paint.words, inner, label, look.BODY, colour, 0.5)
+    ui.stroke(draw_list.words, inner, label, look.BODY, colour, 0.5)
 
 
 def toggle(ui, label, on, tip="", name=None):
@@ -86,12 +86,12 @@ def toggle(ui, label, on, tip="", name=None):
     height = 2 * px(8)
     pill = pygame.Rect(rect.right - 2 * height + px(3), rect.centery - height // 2, 2 * height - px(3), height)
     words = pygame.Rect(rect.x, rect.y, pill.x - rect.x - px(INSET), rect.height)
-    ui.stroke(paint.words, words, label, look.BODY, look.TEXT, 0)
-    ui.stroke(paint.box, pill, look.ACCENT if on else look.EDGE if me.hover else look.GROOVE, height)
+    ui.stroke(draw_list.words, words, label, look.BODY, look.TEXT, 0)
+    ui.stroke(draw_list.box, pill, look.ACCENT if on else look.EDGE if me.hover else look.GROOVE, height)
     edge = px(2)
     knob = pygame.Rect(pill.right - height + edge if on else pill.x + edge, pill.y + edge, *[height - 2 * edge] * 2)
     bright = look.BRIGHT_HANDLE if me.hover else look.HANDLE
-    ui.stroke(paint.disc, knob, bright if on else look.TEXT if me.hover else look.DIM)
+    ui.stroke(draw_list.disc, knob, bright if on else look.TEXT if me.hover else look.DIM)
     return on
 
 
@@ -106,10 +106,10 @@ def fold(ui, label, is_open, tip="", name=None):
             is_open = act.key == pygame.K_RIGHT
     size = px(10)
     chevron = pygame.Rect(rect.x, rect.centery - size // 2, size, size)
-    points = paint.CHEVRON_DOWN if is_open else paint.CHEVRON_RIGHT
-    ui.stroke(paint.polygon, chevron, points, look.ACCENT if me.hover else look.DIM)
+    points = draw_list.CHEVRON_DOWN if is_open else draw_list.CHEVRON_RIGHT
+    ui.stroke(draw_list.polygon, chevron, points, look.ACCENT if me.hover else look.DIM)
     words = pygame.Rect(rect.x + size + px(INSET), rect.y, rect.width - size - px(INSET), rect.height)
-    ui.stroke(paint.words, words, label, look.BODY, look.TEXT, 0)
+    ui.stroke(draw_list.words, words, label, look.BODY, look.TEXT, 0)
     return is_open
 
 
@@ -129,13 +129,13 @@ def segmented(ui, label, options, index, tip="", name=None):
     me = ui.claim(name or label, rect, ring=bar, parts=tuple(parts), keys=END_KEYS | set(SEGMENT_KEYS), tip=tip)
     for act in me.acts:
         index = _segment(act, parts, index)
-    ui.stroke(paint.words, words, label, look.BODY, look.TEXT, 0)
-    ui.stroke(paint.box, bar, look.SUNKEN, px(4))
+    ui.stroke(draw_list.words, words, label, look.BODY, look.TEXT, 0)
+    ui.stroke(draw_list.box, bar, look.SUNKEN, px(4))
     for i, (part, option) in enumerate(zip(parts, options, strict=True)):
         if i == index:
-            ui.stroke(paint.box, part.inflate(-2 * px(2), -2 * px(2)), look.EDGE if me.hover else look.HOVER, px(3))
+            ui.stroke(draw_list.box, part.inflate(-2 * px(2), -2 * px(2)), look.EDGE if me.hover else look.HOVER, px(3))
         colour = look.HANDLE if i == index else look.TEXT if me.hover else look.DIM
-        ui.stroke(paint.words, part.inflate(-2 * px(3), 0), option, look.BODY, colour, 0.5)
+        ui.stroke(draw_list.words, part.inflate(-2 * px(3), 0), option, look.BODY, colour, 0.5)
     return index
 
 

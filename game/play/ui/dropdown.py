@@ -2,10 +2,10 @@
 
 import pygame
 
-from game.play.ui import paint
+from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.ui.acts import ENTER
 from game.play.ui.controls import GAP, INSET, PUSH_KEYS, ROW, body
+from game.play.ui.input import ENTER
 
 LIST_ROW = 26
 MOVE_KEYS = {pygame.K_UP: -1, pygame.K_DOWN: 1, pygame.K_PAGEUP: -8, pygame.K_PAGEDOWN: 8}
@@ -64,19 +64,19 @@ class Popup:
         """Return the drawing of the list."""
         px = theme.px
         edge = self.rect.inflate(2 * px(1), 2 * px(1))
-        yield paint.box, edge, look.EDGE, px(4)
-        yield paint.box, self.rect, look.RAISED, px(4)
+        yield draw_list.box, edge, look.EDGE, px(4)
+        yield draw_list.box, self.rect, look.RAISED, px(4)
         for row in range(self.shown):
             index = self.first + row
             place = pygame.Rect(self.rect.x, self.rect.y + row * self.row_height, self.rect.width, self.row_height)
             if index == self.lit:
-                yield paint.box, place, look.ACCENT, px(4)
+                yield draw_list.box, place, look.ACCENT, px(4)
             colour = look.SUNKEN if index == self.lit else look.BRIGHT_ACCENT if index == self.chosen else look.TEXT
-            yield paint.words, place.inflate(-2 * px(INSET), 0), self.options[index], look.BODY, colour, 0
+            yield draw_list.words, place.inflate(-2 * px(INSET), 0), self.options[index], look.BODY, colour, 0
         if self.shown < len(self.options):
             height = self.rect.height * self.shown // len(self.options)
             top = self.rect.y + self.rect.height * self.first // len(self.options)
-            yield paint.box, pygame.Rect(self.rect.right - px(5), top, px(3), height), look.FAINT, px(2)
+            yield draw_list.box, pygame.Rect(self.rect.right - px(5), top, px(3), height), look.FAINT, px(2)
 
 
 def choice(ui, label, options, index, tip="", name=None):
@@ -93,11 +93,11 @@ def choice(ui, label, options, index, tip="", name=None):
     inner = rect.inflate(-2 * px(INSET), 0)
     size = px(10)
     chevron = pygame.Rect(inner.right - size, rect.centery - size // 2, size, size)
-    ui.stroke(paint.polygon, chevron, paint.CHEVRON_DOWN, look.TEXT if me.hover else look.DIM)
+    ui.stroke(draw_list.polygon, chevron, draw_list.CHEVRON_DOWN, look.TEXT if me.hover else look.DIM)
     label_width = min(ui.theme.width(f"{label}  ", look.BODY), inner.width // 2)
     words = pygame.Rect(inner.x + label_width, inner.y, chevron.x - px(4) - inner.x - label_width, inner.height)
-    ui.stroke(paint.words, pygame.Rect(inner.topleft, (label_width, inner.height)), label, look.BODY, look.DIM, 0)
-    ui.stroke(paint.words, words, options[index], look.BODY, look.TEXT, 0)
+    ui.stroke(draw_list.words, pygame.Rect(inner.topleft, (label_width, inner.height)), label, look.BODY, look.DIM, 0)
+    ui.stroke(draw_list.words, words, options[index], look.BODY, look.TEXT, 0)
     return index
 
 

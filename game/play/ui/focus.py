@@ -8,9 +8,9 @@ import math
 
 import pygame
 
-from game.play.ui.acts import ENTER, Act
+from game.play.ui.input import ENTER, Act
 from game.play.ui.scroll import Scroll
-from game.play.ui.tips import Rest
+from game.play.ui.tooltips import Rest
 
 DOUBLE_S = 0.4  # two presses within this time and DOUBLE_PX are a double press
 DOUBLE_PX = 6

@@ -2,10 +2,10 @@
 
 import pygame
 
-from game.play.ui import paint
+from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.controls import ROW
-from game.play.ui.dial import Dial
+from game.play.ui.slider_scale import Dial
 
 HANDLE = 7  # radius at scale 1
 TALL_ROW = 40  # a slider in two lines: words above, track below
@@ -41,8 +41,8 @@ def slider(
     me = ui.claim(name or label, ui.bleed(row), parts=(zone,), keys=SLIDER_KEYS, tip=_tip(knob) if tip is None else tip)
     for act in me.acts:
         value = _moved(dial, value, act, track, knob.default if default is None else default)
-    ui.stroke(paint.words, words, label, look.BODY, look.TEXT, 0)
-    ui.stroke(paint.words, number, (spell or dial.spell)(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
+    ui.stroke(draw_list.words, words, label, look.BODY, look.TEXT, 0)
+    ui.stroke(draw_list.words, number, (spell or dial.spell)(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
     if picture:
         _draw_picture(ui, row, picture)
     _draw_track(ui, track, dial, value, marks, me)
@@ -107,10 +107,10 @@ def _draw_picture(ui, row, picture):
     before = pygame.Rect(row.x, y, block, block)
     after = pygame.Rect(row.x + block + px(18), y, block, block)
     middle = (before.right + after.x) // 2
-    ui.stroke(paint.block, before, picture[0])
+    ui.stroke(draw_list.block, before, picture[0])
     head = pygame.Rect(middle - arrow // 2, row.centery - arrow // 2, arrow, arrow)
-    ui.stroke(paint.polygon, head, paint.ARROW, look.DIM)
-    ui.stroke(paint.block, after, picture[1])
+    ui.stroke(draw_list.polygon, head, draw_list.ARROW, look.DIM)
+    ui.stroke(draw_list.block, after, picture[1])
 
 
 def _draw_track(ui, track, dial, value, marks, me):
@@ -120,13 +120,13 @@ def _draw_track(ui, track, dial, value, marks, me):
     groove = pygame.Rect(track.x - radius, track.y - half, track.width + 2 * radius, 2 * half)
     from_x = _x(track, dial.fraction(0.0)) if dial.knob.low < 0.0 < dial.knob.high else groove.x
     filled = pygame.Rect(min(x, from_x), groove.y, abs(x - from_x), 2 * half)
-    ui.stroke(paint.box, groove, look.EDGE if me.hover else look.GROOVE, half)
+    ui.stroke(draw_list.box, groove, look.EDGE if me.hover else look.GROOVE, half)
     for mark in marks:
         tick = pygame.Rect(_x(track, dial.fraction(mark)) - px(1) // 2, track.y + half + px(3), px(1), px(3))
-        ui.stroke(paint.fill, tick, look.FAINT)
-    ui.stroke(paint.box, filled, look.BRIGHT_ACCENT if me.hover else look.ACCENT, half)
+        ui.stroke(draw_list.fill, tick, look.FAINT)
+    ui.stroke(draw_list.box, filled, look.BRIGHT_ACCENT if me.hover else look.ACCENT, half)
     handle = pygame.Rect(x - radius, track.y - radius, 2 * radius, 2 * radius)
-    ui.stroke(paint.disc, handle, look.BRIGHT_HANDLE if me.hover else look.HANDLE)
+    ui.stroke(draw_list.disc, handle, look.BRIGHT_HANDLE if me.hover else look.HANDLE)
 
 
 def _x(track, fraction):

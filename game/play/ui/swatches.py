@@ -4,7 +4,7 @@ from itertools import pairwise
 
 import pygame
 
-from game.play.ui import paint
+from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.controls import GAP, ROW
 
@@ -29,9 +29,9 @@ def swatches(ui, name, fields, index, tips):
     for number, (part, stripes) in enumerate(zip(parts, fields, strict=True)):
         chosen, hover = number == index, me.hover and number == pointed
         frame = part.inflate(-px(BETWEEN), -px(BETWEEN))
-        ui.stroke(paint.box, frame, look.HANDLE if chosen else look.EDGE if hover else look.SUNKEN, px(4))
+        ui.stroke(draw_list.box, frame, look.HANDLE if chosen else look.EDGE if hover else look.SUNKEN, px(4))
         inner = frame.inflate(-2 * px(2), -2 * px(2))
         for place, colour in enumerate(stripes):
             top, bottom = (inner.y + inner.height * edge // len(stripes) for edge in (place, place + 1))
-            ui.stroke(paint.fill, pygame.Rect(inner.x, top, inner.width, bottom - top), colour)
+            ui.stroke(draw_list.fill, pygame.Rect(inner.x, top, inner.width, bottom - top), colour)
     return index

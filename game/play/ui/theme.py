@@ -5,9 +5,9 @@ from functools import lru_cache, partial
 
 import pygame
 
-from game.world import knob
-from game.world.assets import asset
-from game.world.colours import NIGHT
+from game.world.files.assets import asset
+from game.world.looks.themes import NIGHT
+from game.world.sand import parameters
 
 FONT_FILE = asset("font", "NotoSans-Regular.ttf")
 
@@ -43,8 +43,8 @@ _kept = {}  # (scale, id of the colours): Theme, the one used last at the end
 class Theme:
     """Everything a panel is drawn with at one UI scale and in one set of colours; make a new one to change either."""
 
-    def __init__(self, scale=knob.UI_SCALE.default, colours=NIGHT):
-        self.scale = knob.UI_SCALE.check(scale)
+    def __init__(self, scale=parameters.UI_SCALE.default, colours=NIGHT):
+        self.scale = parameters.UI_SCALE.check(scale)
         self.colours = colours
         self.px = self._remembering(Theme._px, 256)
         pygame.font.init()

@@ -13,11 +13,12 @@ from typing import NamedTuple
 
 import pygame
 
-from game.play.ui import controls, dropdown, grid, paint, sliders, tips
+from game.play.ui import choice_grids as grid
+from game.play.ui import controls, draw_list, dropdown, sliders, tooltips
 from game.play.ui import theme as look
-from game.play.ui.acts import Slot
 from game.play.ui.focus import BAR as HELD_BAR
 from game.play.ui.focus import Focus
+from game.play.ui.input import Slot
 
 PAD = 14  # from the rect's edge to the controls
 BLEED = 4  # a control without a body reaches this far beyond its words
@@ -78,7 +79,7 @@ class Ui:
         self._flush()
         if self.focus.by_keyboard and self.focus.name in self._slots:
             ring = self._slots[self.focus.name].ring
-            self.stroke(paint.ring, ring, look.RING, self.theme.px(5), max(1, int(1.5 * self.theme.scale)))
+            self.stroke(draw_list.ring, ring, look.RING, self.theme.px(5), max(1, int(1.5 * self.theme.scale)))
         self.focus.settle(self._slots, self._y + self.theme.px(PAD))
         drawing = self._strokes + list(self._overlay())
         now = (
@@ -204,17 +205,17 @@ class Ui:
         px, view, thumb = self.theme.px, self._view(), self.focus.scroll.thumb
         if thumb:
             bar = pygame.Rect(view.right - px(BAR) - px(3), view.y + thumb[0], px(BAR), thumb[1])
-            yield paint.box, bar, look.DIM if self.focus.held == HELD_BAR else look.EDGE, px(2)
+            yield draw_list.box, bar, look.DIM if self.focus.held == HELD_BAR else look.EDGE, px(2)
         if self.focus.popup:
             self.focus.popup.lay_out(self.theme, view)
             yield from self.focus.popup.strokes(self.theme)
         tipped = self._slots.get(self.focus.tipped)
         if tipped and tipped.tip:
-            yield from tips.strokes(self.theme, tipped, view)
+            yield from tooltips.strokes(self.theme, tipped, view)
 
     def _draw(self, surface, drawing):
         clip = surface.get_clip()
         surface.set_clip(self._rect.clip(clip))
         surface.fill(self.theme.rgb(look.GROUND), self._rect)
-        paint.draw(surface, self.theme, drawing, (self._rect.x, self._rect.y - self.focus.scroll.offset))
+        draw_list.draw(surface, self.theme, drawing, (self._rect.x, self._rect.y - self.focus.scroll.offset))
         surface.set_clip(clip)

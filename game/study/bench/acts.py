@@ -2,16 +2,16 @@
 
 import numpy as np
 
-from game.core.pixels import AIR, AIR_BY_WALL, EDGE, GRAIN, GRAIN_BY_WALL, RIM, SURFACE, UNDER, WALL
+from game.core.draw.cells import AIR, AIR_BY_WALL, EDGE, GRAIN, GRAIN_BY_WALL, RIM, SURFACE, UNDER, WALL
 from game.study.bench import table, worlds
 from game.study.bench.candidates import ours
 from game.study.bench.checks import WrongCellsError, same_as_twin
 from game.study.bench.rounds import Candidate, take_turns
 from game.study.bench.table import Column, Table
-from game.world.action import Paint, apply
-from game.world.colours import NIGHT, palette
-from game.world.picture import Painter, texture
-from game.world.view import View
+from game.world.looks.painter import Painter, texture
+from game.world.looks.themes import NIGHT, palette
+from game.world.looks.view import View
+from game.world.sessions.action import Paint, apply
 
 COLUMNS = (
     Column("name", "act"),

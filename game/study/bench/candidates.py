@@ -4,7 +4,7 @@ import numpy as np
 
 from game.study.bench.rounds import Candidate
 from game.study.peers.lattice import lattice
-from game.world.advance import advance
+from game.world.sand.advance import advance
 
 # Iterations before the clock starts: a world in play has learned where its sand is still, a copy has to learn it anew.
 LEAD_IN = 8

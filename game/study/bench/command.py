@@ -5,20 +5,31 @@ import time
 from functools import partial
 from pathlib import Path
 
-from game.study.bench import acts, frames, glass, machine, paper, peers, scale, scene_needs, startup, threads
+from game.study.bench import (
+    acts,
+    frames,
+    hourglass_p,
+    machine,
+    peer_table,
+    rules_and_motion,
+    scale,
+    start_up,
+    table_one,
+    threads,
+)
 from game.study.bench.checks import WrongCellsError
 from game.study.bench.plan import FULL, QUICK
 
 TABLES = (
-    paper.paper_table,
-    peers.peer_table,
-    scene_needs.scene_table,
-    glass.glass_table,
+    table_one.paper_table,
+    peer_table.peer_table,
+    rules_and_motion.scene_table,
+    hourglass_p.glass_table,
     acts.act_table,
     scale.scale_table,
     frames.frame_table,
     threads.thread_table,
-    startup.start_table,
+    start_up.start_table,
 )
 AGAIN = "python main.py bench"
 PICTURE = "bench.png"

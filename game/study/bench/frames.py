@@ -2,9 +2,9 @@
 
 from game.study.bench import goals, table
 from game.study.bench.checks import WrongCellsError
+from game.study.bench.processes import NoWindowError, timing
 from game.study.bench.screen import screen
 from game.study.bench.table import Column, Table
-from game.study.bench.windows import NoWindowError, timing
 
 STAGES = ("events", "stepping", "drawing", "panel", "present", "other")
 COLUMNS = (
@@ -42,7 +42,7 @@ def frame_table(plan):
 
 
 def _arguments(case, plan):
-    """Return the arguments of game.play.timing for a case."""
+    """Return the arguments of game.play.trials.frame_timing for a case."""
     sizes = {"--size": case.size, "--window": case.window}
     given = [part for flag, pair in sizes.items() if pair for part in (flag, "x".join(map(str, pair)))]
     given += [] if case.smooth else ["--plain-streams"]

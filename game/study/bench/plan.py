@@ -15,7 +15,7 @@ class FrameCase:
     iterations: int  # in each frame
     goal: bool = False
     smooth: bool = True  # falling sand is drawn as the mean of a cycle
-    shown: tuple = ()  # what is seen besides the sand, as game.play.timing names it
+    shown: tuple = ()  # what is seen besides the sand, as game.play.trials.frame_timing names it
     p: float | None = None  # None: the scene's own
     cell: float | None = None  # pixels; None: the whole lattice is seen
 

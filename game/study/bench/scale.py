@@ -5,8 +5,8 @@ from game.study.bench.candidates import ours, xor_pass
 from game.study.bench.checks import same_as_twin
 from game.study.bench.rounds import Candidate, take_turns
 from game.study.bench.table import Column, Table
-from game.world.advance import advance
-from game.world.rule import Rule
+from game.world.sand.advance import advance
+from game.world.sand.rule import Rule
 
 REFERENCE = (1920, 1080)  # its time per cell is 1
 FLAT = 1.5  # times the reference up to which the time per cell counts as flat

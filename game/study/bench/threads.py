@@ -7,8 +7,8 @@ from game.study.bench import goals, table, worlds
 from game.study.bench.checks import WrongCellsError
 from game.study.bench.rounds import Candidate, take_turns
 from game.study.bench.table import Column, Table
-from game.world.advance import advance
-from game.world.rule import Rule
+from game.world.sand.advance import advance
+from game.world.sand.rule import Rule
 
 COLUMNS = (
     Column("name", "work"),

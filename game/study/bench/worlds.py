@@ -4,9 +4,9 @@ from functools import lru_cache
 
 import numpy as np
 
-from game.world.advance import advance
-from game.world.scene import load_scene
-from game.world.world import World
+from game.world.sand.advance import advance
+from game.world.sand.world import World
+from game.world.scenes.scene import load_scene
 
 SEED = 2020
 GLASS_RULE = load_scene("hourglass").rule  # the rule its scene file names

@@ -5,7 +5,7 @@ import pygame
 from game.play.ui.sliders import HANDLE
 from game.play.ui.theme import Theme
 from game.play.ui.widgets import Ui
-from game.world import knob
+from game.world.sand import parameters
 
 SCENES = ["Hourglass", "Avalanche", "Rain", "Funnel", *(f"Scene {i}" for i in range(30))]
 WIDTH = 300
@@ -34,15 +34,15 @@ class Panel:
         ui.row(2)
         self._button("Flip", key="F", tip="Turn the glass over")
         self._button("Undo", enabled=self.undo)
-        self.p = ui.slider("p", knob.P, self.p, marks=(0.25, 0.5, 0.75, 1.0))
-        self.bias = ui.slider("Lean", knob.BIAS, self.bias)
-        self.speed = ui.slider("Speed", knob.SPEED, self.speed, log=True)
-        self.brush = ui.slider("Brush", knob.BRUSH, self.brush, default=10)
+        self.p = ui.slider("p", parameters.P, self.p, marks=(0.25, 0.5, 0.75, 1.0))
+        self.bias = ui.slider("Lean", parameters.BIAS, self.bias)
+        self.speed = ui.slider("Speed", parameters.SPEED, self.speed, log=True)
+        self.brush = ui.slider("Brush", parameters.BRUSH, self.brush, default=10)
         self.tool = ui.segmented("Tool", ("Sand", "Wall", "Erase"), self.tool)
         self.over = ui.toggle("Over walls", self.over)
         self.folded_out = ui.fold("More", self.folded_out)
         if self.folded_out:
-            self.fall_pair = ui.slider_with_picture("Pair", knob.FALL_PAIR, self.fall_pair, "oo..", "..oo")
+            self.fall_pair = ui.slider_with_picture("Pair", parameters.FALL_PAIR, self.fall_pair, "oo..", "..oo")
             ui.text("One paragraph of several words that has to be wrapped to fit the narrow column.", dim=True)
         ui.row(3)
         for name in ("Save", "Load", "Help"):

@@ -4,7 +4,7 @@ import gc
 import weakref
 
 from game.play.ui import theme as look
-from game.world.colours import NIGHT
+from game.world.looks.themes import NIGHT
 
 
 def test_a_theme_that_is_no_longer_used_gives_its_text_back_at_once():

@@ -5,7 +5,7 @@ import itertools
 import pygame
 import pytest
 
-from game.world import knob
+from game.world.sand import parameters
 from tests.play.ui.sample_panel import SCENES, Panel, down, key, move, up, wheel
 
 SCALES = (0.75, 1.0, 1.5, 3.0)
@@ -40,7 +40,7 @@ def test_a_drag_goes_on_outside_of_the_panel_and_ends_at_the_release():
 
 def test_the_ends_of_a_slider_are_exactly_low_and_high():
     panel = Panel()
-    for name, field, each in (("Lean", "bias", knob.BIAS), ("Speed", "speed", knob.SPEED)):
+    for name, field, each in (("Lean", "bias", parameters.BIAS), ("Speed", "speed", parameters.SPEED)):
         panel.click(panel.spot(name, 0.0))
         assert getattr(panel, field) == each.low
         panel.click(panel.spot(name, 1.0))
@@ -52,7 +52,7 @@ def test_a_double_click_brings_back_the_default():
     panel = Panel()
     panel.click(panel.spot("p", 0.3))
     panel.click(panel.spot("p", 0.3))
-    assert panel.p == knob.P.default
+    assert panel.p == parameters.P.default
     panel.frame(wait_s=1)
     panel.click(panel.spot("Brush", 0.8))
     panel.click(panel.spot("Brush", 0.8))

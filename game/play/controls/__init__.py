@@ -1,0 +1,1 @@
+"""What keys, mouse and touch do."""

@@ -1,0 +1,164 @@
+"""The tools: what the pointer holds, and its presses, moves and releases turned into acts."""
+
+import pygame
+
+from game.play.controls.fixture_tool import Carry, fresh
+from game.play.controls.gestures import Press, Span, Trail
+from game.play.view.outlines import box_outline, brush_outline, mark
+from game.world.sand import parameters
+from game.world.sand.sand_colours import AMBER, COLOURS, DYES
+from game.world.sessions.action import KINDS, SHAPES, USUAL_SHAPE, box, snap
+
+MATERIALS = ("sand", "wall", "erase")
+TOOLS = {  # the gesture that each makes
+    "brush": Trail,
+    "line": Span,
+    "rectangle": Span,
+    "ellipse": Span,
+    "fill": Press,
+    "spray": Trail,
+    "pick": Press,
+    "replace": Trail,
+    "tap": Carry,
+    "drain": Carry,
+}
+ONE_CELL = ("rectangle", "ellipse", "fill", "pick")  # tools that aim at a cell, however large the brush
+SIZES = (1, 2, 3, 5, 8, 13, 21, 34, 55)  # diameters that the number keys give, in cells
+LEFT, RIGHT = 1, 3
+
+
+class Brush:
+    """What the pointer paints with, and the gesture that it is making."""
+
+    def __init__(self):
+        self.tool = "brush"
+        self.material = "sand"
+        self.colour = AMBER  # of sand: one of DYES
+        self.diameter = parameters.BRUSH.default
+        self.shape = USUAL_SHAPE
+        self.over_walls = False
+        self.every = parameters.EVERY.default  # iterations from one grain of a new tap to the next
+        self.edge_only = False  # rectangles and ellipses are drawn as their outline, as thick as the brush
+        self._gesture = self._button = None
+        self.acted = False  # the gesture has changed something: whoever lets its acts happen says so
+        self._erasing = False  # the gesture erases whatever the material
+        self._at = None  # where the gesture has come to, and whether it goes straight
+        self._before_pick = "brush"
+        self._sprays = 0
+
+    @property
+    def painting(self):
+        """Whether a gesture is being made."""
+        return self._gesture is not None
+
+    @property
+    def by_mouse(self):
+        """Whether it is the mouse that makes the gesture."""
+        return self._button is not None
+
+    @property
+    def ink(self):
+        """The material that the gesture leaves."""
+        return "erase" if self._erasing else self.material
+
+    @property
+    def dye(self):
+        """The colour of what the gesture leaves."""
+        return self.colour if self.ink == "sand" else AMBER
+
+    def dip(self, colour):
+        """Paint with sand of a colour from now on."""
+        self.colour, self.material = colour, "sand"
+
+    def next_colour(self, steps):
+        """Take the colour so many swatches further on."""
+        self.dip(DYES[(DYES.index(self.colour) + steps) % len(DYES)])
+
+    def choose(self, tool):
+        """Take a tool in hand."""
+        self.let_go()
+        if tool == "pick" != self.tool:
+            self._before_pick = self.tool
+        self.tool = tool
+
+    def take(self, kind, colour):
+        """Paint with a kind of cell from now on, None for none, with the tool that was in hand before the picking.
+
+        colour: the number of the colour of what was picked, if that is sand.
+        """
+        if kind == KINDS["sand"]:
+            self.colour = COLOURS[colour]
+        self.material = next((name for name in MATERIALS if KINDS.get(name) == kind), "erase")
+        self.tool = self._before_pick
+
+    def next_shape(self):
+        """Take the next shape of brush."""
+        shapes = list(SHAPES)
+        self.shape = shapes[(shapes.index(self.shape) + 1) % len(shapes)]
+
+    def next_spray(self):
+        """Return a number that no spray has had."""
+        self._sprays += 1
+        return self._sprays
+
+    def resize(self, steps):
+        """Grow or shrink the brush by about a tenth, and by one cell at least, for each step."""
+        change = max(1, self.diameter // 10) * steps
+        self.diameter = int(min(max(self.diameter + change, parameters.BRUSH.low), parameters.BRUSH.high))
+
+    # --- gestures: each method returns [(act, whether undo takes it back together with the act before)] ---
+
+    def hear(self, event, view, world):
+        """Let the mouse make gestures on the lattice that `view` shows."""
+        shift = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
+        if event.type == pygame.MOUSEBUTTONDOWN and event.button in (LEFT, RIGHT) and not self.painting:
+            self._button = event.button
+            return self.press(view.place(*event.pos), world, event.button == RIGHT, shift)
+        if event.type == pygame.MOUSEMOTION and self._button:
+            return self.move(view.place(*event.pos), shift)
+        if event.type == pygame.MOUSEBUTTONUP and event.button == self._button:
+            return self.release(view.place(*event.pos), shift)
+        return []
+
+    def press(self, place, world, erase=False, straight=False):
+        """Begin the tool's gesture; `erase`: with nothing. A brush that goes `straight` draws a line."""
+        tool = "brush" if erase and self.tool in ("pick", "tap", "drain") else self.tool
+        gesture = Span if straight and tool == "brush" else TOOLS[tool]
+        self._erasing, self.acted = erase, False
+        self._gesture = gesture(self, place, world)
+        return self.move(place)
+
+    def move(self, place, straight=False):
+        """Go on with the gesture at another place; `straight`: a line in steps of 45 degrees, sides alike."""
+        self._at = place, straight and self.tool != "brush"
+        return self._told(self._gesture.go(*self._at))
+
+    def hold(self):
+        """Let a frame pass: a brush that rests goes on painting."""
+        return self._told(self._gesture.go(*self._at)) if self.painting else []
+
+    def release(self, place, straight=False):
+        """End the gesture at a place."""
+        acts = self._told(self._gesture.end(place, straight and self.tool != "brush"))
+        self.let_go()
+        return acts
+
+    def let_go(self):
+        """End the gesture with what it has done so far."""
+        self._gesture = self._button = None
+        self._erasing = self.acted = False
+
+    def marks(self, place, view):
+        """Return the Marks that show what the tool reaches from a place, or what the gesture will draw."""
+        outlines = self._gesture.outlines() if self.painting and self._gesture.outlines else None
+        return tuple(mark(outline, view) for outline in outlines or [self._aim(place)])
+
+    def _aim(self, place):
+        if TOOLS[self.tool] is Carry:
+            return box_outline(*fresh(self, place).box)
+        if self.tool in ONE_CELL:
+            return box_outline(*box(place, place))
+        return brush_outline(self.shape, self.diameter, snap(place, self.diameter))
+
+    def _told(self, acts):
+        return [(act, self.acted or number > 0) for number, act in enumerate(acts)]

@@ -1,0 +1,247 @@
+"""The camera: which part of the lattice the stage shows. It is no part of the world, and not recorded."""
+
+import math
+import time
+
+import pygame
+
+from game.play.controls.keymap import CTRL
+from game.play.view.zoom_badge import Badge
+from game.world.looks.view import LEVELS, View, level
+
+LEFT, MIDDLE = 1, 2
+CTRL_KEYS = pygame.K_LCTRL, pygame.K_RCTRL, pygame.K_LMETA, pygame.K_RMETA
+FEWEST_CELLS = 6  # across the shorter side of the stage, at the largest zoom, but for
+LARGEST_CELL = 64  # pixels: no stage is too small for this
+PAN = 1 / 8  # of the stage, by one press of a key
+MISTAKE_S = 0.7  # a finger that has painted for less than this meant to be one of two
+
+
+class Camera:
+    """Hears wheel, drags and fingers, obeys the keys, and keeps what is in the middle when the window changes."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self.badge = Badge(toy)
+        self._drag = None  # where the pointer was that drags the lattice along, and the button that does
+        self._ctrl = False  # a Ctrl key is held
+        self._space = None  # while Space is held: whether it has dragged
+        self._pointer = None
+        self._fingers = {}  # where they are, by number
+        self._pinch = None  # while two fingers are down: cell, place and distance at the start
+        self._since_s = 0.0  # when the first finger came down
+        self._swallows = False  # what the mouse does is what is left of a pinch
+
+    # --- what the keys ask of it ---
+
+    def zoom(self, steps):
+        """Go `steps` levels closer, or away, about the pointer or the middle of the stage."""
+        view = self._stage.view
+        x, y = self._toy.hearing.pointer or self._stage.area.center
+        self._show(level(view.cell, steps), view.place(x, y), x, y)
+
+    def zoom_to(self, cell):
+        """Show cells `cell` pixels wide, with what is in the middle of the stage where it is."""
+        x, y = self._stage.area.center
+        self._show(cell, self._stage.view.place(x, y), x, y)
+
+    def fit(self):
+        """Show the whole lattice."""
+        self._stage.show(self._stage.whole)
+        self.badge.show()
+
+    def pan(self, right, down):
+        """Move on over the lattice by parts of the stage."""
+        area = self._stage.area
+        self._shift(-right * PAN * area.width, -down * PAN * area.height)
+
+    # --- what the toy tells it ---
+
+    def keep(self, before):
+        """After the stage was laid out anew, show what the view `before` showed, if that was not the whole."""
+        stage = self._stage
+        if before is None or before.frame is None or before.shape != stage.whole.shape:
+            return
+        x, y, width, height = before.frame
+        place = before.place(x + width / 2 - 0.5, y + height / 2 - 0.5)
+        area = stage.area
+        self._show(before.cell, place, area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
+
+    def turn_over(self, quarters=2):
+        """Follow the sand in sight as the lattice is turned over; a quarter turn shows all of it."""
+        view, area = self._stage.view, self._stage.area
+        if view.frame is None:
+            return
+        if quarters != 2:
+            self.fit()
+            return
+        x, y = area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5
+        column, row = view.place(x, y)
+        self._show(view.cell, (view.shape[1] - column, view.shape[0] - row), x, y)
+
+    def let_go(self):
+        """Forget what is held: nobody may hear it come up."""
+        self._drag = self._space = self._pinch = None
+        self._fingers.clear()
+        self._swallows = self._ctrl = False
+
+    def hear(self, event):
+        """Take in an event and return whether it was the camera's."""
+        hears = {
+            pygame.MOUSEWHEEL: self._wheel,
+            pygame.MOUSEBUTTONDOWN: self._press,
+            pygame.MOUSEMOTION: self._motion,
+            pygame.MOUSEBUTTONUP: self._release,
+            pygame.KEYDOWN: self._key_down,
+            pygame.KEYUP: self._key_up,
+            pygame.FINGERDOWN: self._finger_down,
+            pygame.FINGERMOTION: self._finger_motion,
+            pygame.FINGERUP: self._finger_up,
+        }.get(event.type)
+        return bool(hears and hears(event))
+
+    @property
+    def busy(self):
+        """Whether the lattice is being dragged or pinched, so that no brush is to be seen."""
+        return self._drag is not None or self._pinch is not None or self._space is not None
+
+    # --- events ---
+
+    def _wheel(self, event):
+        if not (self._ctrl or pygame.key.get_mods() & CTRL):
+            return False
+        self.zoom(event.y)
+        return True
+
+    def _press(self, event):
+        if self._swallows and getattr(event, "touch", False):
+            return True
+        drags = event.button == MIDDLE or (event.button == LEFT and self._space is not None)
+        if self._drag or not drags or not self._stage.area.collidepoint(event.pos):
+            return False
+        self._drag = event.pos, event.button
+        return True
+
+    def _motion(self, event):
+        if self._swallows and getattr(event, "touch", False):
+            return True
+        if not self._drag:
+            return False
+        (x, y), button = self._drag
+        self._drag = event.pos, button
+        if self._space is not None:
+            self._space = True
+        self._shift(event.pos[0] - x, event.pos[1] - y)
+        return True
+
+    def _release(self, event):
+        if self._swallows and getattr(event, "touch", False):
+            return True
+        if not self._drag or event.button != self._drag[1]:
+            return False
+        self._drag = None
+        return True
+
+    def _key_down(self, event):
+        self._ctrl |= event.key in CTRL_KEYS
+        if event.key != pygame.K_SPACE or event.mod & (CTRL | pygame.KMOD_ALT) or self._toy.brush.painting:
+            return False
+        self._space = bool(self._space)
+        return True
+
+    def _key_up(self, event):
+        self._ctrl &= event.key not in CTRL_KEYS
+        if event.key != pygame.K_SPACE or self._space is None:
+            return False
+        dragged, self._space = self._space, None
+        if not dragged and not self._drag:
+            self._toy.commands.pause()
+        return True
+
+    # --- fingers ---
+
+    def _finger_down(self, event):
+        self._fingers[event.finger_id] = self._pixel_of(event)
+        if len(self._fingers) == 1:
+            self._since_s = time.perf_counter()
+        elif len(self._fingers) == 2 and self._stage.area.collidepoint(self._middle):
+            self._take_back_stroke()
+            self._swallows = True
+            self._start_pinch()
+        return self._swallows
+
+    def _finger_motion(self, event):
+        if event.finger_id in self._fingers:
+            self._fingers[event.finger_id] = self._pixel_of(event)
+        if self._pinch and len(self._fingers) == 2:
+            cell, place, span = self._pinch
+            self._show(cell * self._span / span, place, *self._middle)
+        return self._swallows
+
+    def _finger_up(self, event):
+        self._fingers.pop(event.finger_id, None)
+        swallowed = self._swallows
+        if self._pinch and len(self._fingers) == 1:
+            self._end_pinch()
+        if len(self._fingers) == 2:
+            self._start_pinch()
+        self._swallows = self._swallows and bool(self._fingers)
+        return swallowed
+
+    def _start_pinch(self):
+        view = self._stage.view
+        self._pinch = view.cell, view.place(*self._middle), self._span
+
+    def _end_pinch(self):
+        """Let cells that are wider than a pixel be whole pixels wide again."""
+        self._pinch = None
+        view, (x, y) = self._stage.view, self._stage.area.center
+        if view.frame and view.cell > 1:
+            self._show(round(view.cell), view.place(x, y), x, y)
+
+    def _take_back_stroke(self):
+        """End the stroke that the first of two fingers began, and undo it if it came down only just before."""
+        toy, acted = self._toy, self._toy.brush.acted
+        toy.brush.let_go()
+        if acted and time.perf_counter() - self._since_s < MISTAKE_S:
+            toy.session.undo(budget_ns=toy.SEEK_NS)
+
+    def _pixel_of(self, event):
+        width, height = self._toy.window.size
+        return event.x * width, event.y * height
+
+    @property
+    def _middle(self):
+        (x0, y0), (x1, y1) = list(self._fingers.values())[:2]
+        return (x0 + x1) / 2, (y0 + y1) / 2
+
+    @property
+    def _span(self):
+        one, other = list(self._fingers.values())[:2]
+        return max(1.0, math.dist(one, other))
+
+    # --- the view ---
+
+    @property
+    def _stage(self):
+        return self._toy.stage
+
+    def _shift(self, right, down):
+        """Drag the lattice by pixels."""
+        view, area = self._stage.view, self._stage.area
+        if view.frame is not None:
+            x, y = area.center
+            self._show(view.cell, view.place(x, y), x + right, y + down)
+
+    def _show(self, cell, place, x, y):
+        """Show a place at pixel (x, y), with `cell` pixels to a cell, as far as the limits allow."""
+        stage = self._stage
+        self.badge.show()
+        most = max(LARGEST_CELL, min(stage.area.size) / FEWEST_CELLS)
+        cell = min(cell, max(each for each in LEVELS if each <= most))
+        if cell <= stage.whole.cell:
+            view = stage.whole
+        else:
+            view = View.near(stage.whole.shape, tuple(stage.area), cell, place, x, y)
+        if view != stage.view:
+            stage.show(view)

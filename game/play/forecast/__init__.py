@@ -1,0 +1,1 @@
+"""The forecast over the sand."""

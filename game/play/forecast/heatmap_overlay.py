@@ -1,0 +1,61 @@
+"""The veil: a forecast's heat, laid over the sand where the stage has just drawn it."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
+from game.world.looks.heatmap_colours import cover
+
+
+class Veil:
+    """One forecast as it lies over the stage; another one is another veil."""
+
+    def __init__(self, part, levels, stale):
+        self.stale = stale
+        self._part, self._all = part, levels
+        self._view = None  # what the maps below are for
+
+    def draw(self, pixels, view, spans, map_rgb):
+        """Lay the heat over the spans (top, bottom) of rows of `pixels`, an (h, w) uint32 array, in place, once."""
+        if view is not self._view:
+            self._look_through(view)
+            self._covers = _covers(map_rgb, self.stale)
+        for top, bottom in spans:
+            rows = self._rows[max(top - self._top, 0) : max(bottom - self._top, 0)]
+            lay_heat(self._levels, self._covers, self._columns, rows, pixels, max(top, self._top), self._left)
+
+    def _look_through(self, view):
+        """Find out which level each pixel shows; where pixels hold many cells, the mean of their levels."""
+        self._view, part = view, self._part
+        if view.dense:
+            first, columns = _edges_inside(view.column_edges, part.left, part.width)
+            above, rows = _edges_inside(view.row_edges, part.top, part.height)
+            self._levels = np.empty((max(len(rows) - 1, 0), max(len(columns) - 1, 0)), np.uint8)
+            mean_levels(self._all, columns, rows, self._levels)
+            self._rows, self._columns = (np.arange(side, dtype=np.int32) for side in self._levels.shape)
+        else:
+            first, self._columns = _inside(view.columns, part.left, part.width)
+            above, self._rows = _inside(view.rows, part.top, part.height)
+            self._levels = self._all
+        self._left, self._top = view.seen[0] + first, view.seen[1] + above
+
+
+@lru_cache(maxsize=8)
+def _covers(map_rgb, stale):
+    return covers_of(*cover(map_rgb, stale))
+
+
+def _inside(cells, first, size):
+    """Return (number of the first pixel that shows one of `size` cells from `first`, the cells shown from there on).
+
+    cells: the lattice's row or column of each pixel, rising. The cells returned count from `first`.
+    """
+    low, high = np.searchsorted(cells, (first, first + size))
+    return int(low), np.ascontiguousarray(cells[low:high] - np.int32(first))
+
+
+def _edges_inside(edges, first, size):
+    """Return (number of the first pixel all of whose cells are among `size` from `first`, the edges from there on)."""
+    low, high = np.searchsorted(edges, first), np.searchsorted(edges, first + size, side="right")
+    return int(low), np.ascontiguousarray(edges[low:high] - np.int32(first))

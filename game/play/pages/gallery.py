@@ -1,0 +1,261 @@
+"""The gallery: a page of pictures, shipped scenes that run and saved ones, opened by pointer or keyboard."""
+
+import pygame
+
+from game.play.controls import keymap
+from game.play.pages.saved_scenes import SavedScenes
+from game.play.pages.shipped_scenes import LiveScenes
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+
+PAD = 20  # pixels at scale 1: around the page
+GAP = 10
+HEAD, FOOT = 40, 46
+NAME = 24  # height of a name under its picture
+NARROWEST = 132  # tile; with no narrower ones in sight, the others are scrolled to
+LEAST = 6  # tiles that a page has room for: fewer are no larger
+PICTURE = 0.72  # height of a picture, as a share of its width
+ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
+ENTERS = pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE
+GOES_ON = {"toggle_help", "show_scenes", "open_scenes", "toggle_fullscreen", "toggle_sound", "shoot_window"}
+POINTING = pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION, pygame.MOUSEWHEEL
+
+
+class Gallery:
+    """The page, if it is open. It takes the place of everything else in the window."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self.shown = False
+        self.shelves = LiveScenes(toy), SavedScenes(toy)
+        self.shelf = self.shelves[0]
+        self.chosen = 0
+        self._top = 0  # the first row that shows
+        self._drawn = None  # what the page looks like but for its pictures
+        self._now_s = 0.0
+
+    def toggle(self, number):
+        """Open the shelf of that number, or close the gallery where it is open already."""
+        if self.shown and self.shelf is self.shelves[number]:
+            self.close()
+        else:
+            self._look_at(self.shelves[number])
+
+    def close(self):
+        """Close the gallery."""
+        self.shown = False
+        self._toy.lay_out_anew()
+
+    def forget(self):
+        """Draw everything next time."""
+        self._drawn = None
+
+    def listen(self, events, now_s, mouse_pos):
+        """Obey what is meant for the page and return the other events."""
+        self._now_s = now_s
+        return [event for event in events if not (self.shown and self._hear(event))]
+
+    def draw(self, surface):
+        """Bring the page up to date on the window; return the rects that changed."""
+        tiles = list(self._tiles())
+        room = {number: self._picture_rect(rect) for number, rect in tiles}
+        moved = self.shelf.run(self._now_s, {number: rect.size for number, rect in room.items()})
+        drawing = self._strokes(surface, tiles)
+        if drawing != self._drawn:
+            self._drawn = drawing
+            surface.fill(self._toy.theme.rgb(look.SUNKEN))
+            draw_list.draw(surface, self._toy.theme, drawing)
+            moved = room
+        for number in moved:
+            self._draw_picture(surface, number, room[number])
+        return [surface.get_rect()] if moved is room else [room[number] for number in moved]
+
+    def tile(self, number):
+        """Return the rect in the window of a scene's tile, or None while it is scrolled out of view."""
+        return dict(self._tiles()).get(number)
+
+    def tab(self, number):
+        """Return the rect in the window of a shelf's title."""
+        theme, x = self._toy.theme, self._page().x
+        for shelf in self.shelves[:number]:
+            x += theme.width(shelf.title, look.HEADING) + 2 * theme.px(GAP)
+        return pygame.Rect(x, 0, theme.width(self.shelves[number].title, look.HEADING), theme.px(HEAD))
+
+    # --- what it looks like ---
+
+    def _strokes(self, surface, tiles):
+        theme, page, shelf = self._toy.theme, self._page(), self.shelf
+        head = pygame.Rect(page.x, 0, page.width, theme.px(HEAD))
+        strokes = [(draw_list.fill, surface.get_rect(), look.SUNKEN)]
+        for number, each in enumerate(self.shelves):
+            colour = look.HANDLE if each is shelf else look.FAINT
+            strokes.append((draw_list.words, self.tab(number), each.title, look.HEADING, colour, 0))
+        strokes.append((draw_list.words, self._hint(head), self._said(), look.SMALL, look.FAINT, 1))
+        for number, rect in tiles:
+            strokes += self._tile_strokes(number, rect)
+        return [*strokes, *self._empty(), *self._thumb(), *self._about()]
+
+    def _empty(self):
+        """Yield the strokes of what there is to say of a shelf without scenes."""
+        theme, page = self._toy.theme, self._page()
+        lines = theme.lines(self.shelf.empty, look.BODY, page.width) if not len(self.shelf) else ()
+        line = theme.line_height(look.BODY)
+        for number, each in enumerate(lines):
+            place = pygame.Rect(page.x, page.centery + number * line, page.width, line)
+            yield draw_list.words, place, each, look.BODY, look.DIM, 0.5
+
+    def _thumb(self):
+        """Yield the stroke of the scroll bar's thumb, where not all rows show."""
+        page, px, (columns, shown, _) = self._page(), self._toy.theme.px, self._grid()
+        rows = -(-len(self.shelf) // columns)
+        if shown < rows:
+            place = pygame.Rect(page.right + px(PAD) // 2, page.y + page.height * self._top // rows, px(4), 0)
+            place.height = page.height * shown // rows
+            yield draw_list.box, place, look.EDGE, px(2)
+
+    def _hint(self, head):
+        """Return what of the head is free for the hint."""
+        tabs = self.tab(len(self.shelves) - 1).right + self._toy.theme.px(GAP)
+        return pygame.Rect(tabs, head.y, head.right - tabs, head.height)
+
+    def _said(self):
+        """Return the hint that there is room for."""
+        room = self._hint(pygame.Rect(self._page().x, 0, self._page().width, 1)).width
+        away = "Del puts away    " if self.shelf.lets_go and len(self.shelf) else ""
+        long = f"Arrows choose    Enter opens    {away}Tab turns the page    Esc closes"
+        hints = long, f"Enter opens    {away}Esc closes", "Enter opens    Esc closes", ""
+        return next(each for each in hints if self._toy.theme.width(each, look.SMALL) <= room)
+
+    def _tile_strokes(self, number, rect):
+        px, chosen = self._toy.theme.px, number == self.chosen
+        strokes = [(draw_list.box, rect, look.HOVER if chosen else look.RAISED, px(5))]
+        if chosen:
+            strokes.append((draw_list.ring, rect, look.ACCENT, px(5), max(1, px(2))))
+        if self.shelf.picture(number) is None:
+            strokes.append((draw_list.words, self._picture_rect(rect), self.shelf.waiting, look.SMALL, look.FAINT, 0.5))
+        words = pygame.Rect(rect.x + px(8), rect.bottom - px(NAME), rect.width - 2 * px(8), px(NAME))
+        name, colour = self.shelf.name(number), look.TEXT if chosen else look.DIM
+        return [*strokes, (draw_list.words, words, name, look.SMALL, colour, 0.5)]
+
+    def _about(self):
+        """Return the strokes of the sentence on the chosen scene."""
+        theme, page = self._toy.theme, self._page()
+        line = theme.line_height(look.SMALL)
+        text = self.shelf.about(self.chosen) if len(self.shelf) else ""
+        foot = pygame.Rect(page.x, page.bottom, page.width, line)
+        lines = theme.lines(text, look.SMALL, page.width)
+        return [
+            (draw_list.words, foot.move(0, number * line), each, look.SMALL, look.TEXT, 0.5)
+            for number, each in enumerate(lines)
+        ]
+
+    def _draw_picture(self, surface, number, room):
+        picture = self.shelf.picture(number)
+        if picture:
+            surface.fill(self._toy.theme.rgb(look.SUNKEN), room)
+            surface.blit(picture, picture.get_rect(center=room.center))
+
+    # --- what it hears ---
+
+    def _hear(self, event):
+        if event.type == pygame.KEYDOWN:
+            return self._key(event)
+        if event.type in POINTING:
+            self._point(event)
+            return True
+        return False
+
+    def _key(self, event):
+        """Obey a key; others than the page's own are left to commands that do not touch the sand."""
+        if event.key in ARROWS and not event.mod & keymap.CTRL:
+            dx, dy = ARROWS[event.key]
+            self._choose(self.chosen + dx + dy * self._grid()[0])
+        elif event.key in ENTERS:
+            self._open()
+        elif event.key in (pygame.K_HOME, pygame.K_END):
+            self._choose(0 if event.key == pygame.K_HOME else len(self.shelf) - 1)
+        elif event.key == pygame.K_TAB:
+            self._look_at(self.shelves[(self.shelves.index(self.shelf) + 1) % len(self.shelves)])
+        elif event.key == pygame.K_DELETE and self.shelf.lets_go and len(self.shelf):
+            self.shelf.put_away(self.chosen)
+            self._choose(min(self.chosen, len(self.shelf) - 1))
+            self.forget()
+        elif event.key == pygame.K_ESCAPE:
+            self.close()
+        else:
+            return keymap.command(event) not in GOES_ON
+        return True
+
+    def _point(self, event):
+        if event.type == pygame.MOUSEWHEEL:
+            self._scroll(self._top - (event.y > 0) + (event.y < 0))
+            return
+        under = next((number for number, rect in self._tiles() if rect.collidepoint(event.pos)), None)
+        if under is not None and event.type != pygame.MOUSEBUTTONUP:
+            self.chosen = under
+        if event.type != pygame.MOUSEBUTTONDOWN or event.button != 1:
+            return
+        for number, shelf in enumerate(self.shelves):
+            if self.tab(number).collidepoint(event.pos):
+                self._look_at(shelf)
+        if under is not None:
+            self._open()
+
+    def _look_at(self, shelf):
+        self.shelf, self.shown, self.chosen, self._top = shelf, True, 0, 0
+        shelf.begin()
+        self.chosen = shelf.first
+        self._choose(self.chosen)
+        self.forget()
+
+    def _choose(self, number):
+        if 0 <= number < len(self.shelf):
+            self.chosen = number
+            columns, rows, _ = self._grid()
+            self._scroll(min(max(self._top, number // columns - rows + 1), number // columns))
+
+    def _scroll(self, top):
+        columns, rows, _ = self._grid()
+        self._top = min(max(top, 0), max(0, -(-len(self.shelf) // columns) - rows))
+
+    def _open(self):
+        if len(self.shelf):
+            self.close()
+            self.shelf.open(self.chosen)
+
+    # --- where things lie ---
+
+    def _page(self):
+        """Return the rect of the tiles: between head and foot."""
+        (width, height), px = self._toy.window.size, self._toy.theme.px
+        return pygame.Rect(px(PAD), px(HEAD), width - 2 * px(PAD), height - px(HEAD) - px(FOOT))
+
+    def _grid(self):
+        """Return (columns, rows in view, tile size) with tiles as large as lets all of them be seen, if possible."""
+        page, px = self._page(), self._toy.theme.px
+        most = max(1, (page.width + px(GAP)) // (px(NARROWEST) + px(GAP)))
+        for columns in range(1, most + 1):
+            wide = (page.width + px(GAP)) // columns - px(GAP)
+            high = round(PICTURE * wide) + px(NAME)
+            rows = max(1, page.height // (high + px(GAP)))
+            if columns * rows >= max(LEAST, len(self.shelf)):
+                break
+        return columns, rows, (wide, min(high, page.height))
+
+    def _tiles(self):
+        """Yield (number, rect) of the scenes that show."""
+        px, page = self._toy.theme.px, self._page()
+        columns, rows, (wide, high) = self._grid()
+        shown = min(rows, -(-len(self.shelf) // columns))
+        page.y += max(0, (page.height - shown * (high + px(GAP))) // 2)
+        page.x += max(0, columns - len(self.shelf)) * (wide + px(GAP)) // 2
+        for number in range(self._top * columns, min(len(self.shelf), (self._top + rows) * columns)):
+            row, column = divmod(number - self._top * columns, columns)
+            yield (
+                number,
+                pygame.Rect(page.x + column * (wide + px(GAP)), page.y + row * (high + px(GAP)), wide, high),
+            )
+
+    def _picture_rect(self, tile):
+        px = self._toy.theme.px
+        return pygame.Rect(tile.x + px(5), tile.y + px(5), tile.width - 2 * px(5), tile.height - px(NAME) - px(5))

@@ -1,0 +1,146 @@
+"""The shelf of saved scenes, the newest first: the pictures of those in sight, read beside the frames."""
+
+from functools import partial
+
+import pygame
+
+from game.play.ui.input import key_name
+from game.world.files.atomic import trouble
+from game.world.files.paths import folder_of
+from game.world.scenes.cell_arrays import FORMATS
+from game.world.scenes.open_scene import PICTURES
+
+AWAY = "put away"  # the folder of scenes that are not to be listed
+BATCH = 6  # pictures read at a time
+LARGEST = 640, 480  # pixels of a picture that is kept
+HUGE = 4096  # pixels
+KEPT = 30  # pictures kept that are out of sight; up to 0.9 MB each
+
+
+def saved_scenes():
+    """Return the paths of the saved scenes, and of photos put beside them, the newest first."""
+
+    def age(path):
+        try:
+            return path.stat().st_mtime_ns
+        except OSError:
+            return 0
+
+    pictures = [path for path in folder_of("scenes").glob("*") if path.suffix.lower() in PICTURES]
+    return sorted(pictures, key=age, reverse=True)
+
+
+class SavedScenes:
+    """The user's own scenes."""
+
+    title = "Saved"
+    waiting = "no picture"
+    empty = f"Nothing is saved: {key_name('Ctrl+S')} saves the scene as it is. Photos can be dropped on the window."
+    first = 0
+    lets_go = True  # scenes can be put away
+
+    def __init__(self, toy):
+        self._toy = toy
+        self.paths = []
+        self._pictures = {}  # path: a surface, or None where there is no picture in it; the last seen last
+        self._sprites = {}  # number: (size, surface) as drawn last
+        self._in_sight = []  # paths
+        self._reading = False
+
+    def __len__(self):
+        return len(self.paths)
+
+    def begin(self):
+        """Look what is saved now."""
+        self.paths, self._pictures, self._sprites, self._in_sight = saved_scenes(), {}, {}, []
+
+    def name(self, number):
+        """Return the name of a scene."""
+        return self.paths[number].stem
+
+    def about(self, number):
+        """Return where a scene is."""
+        return str(self.paths[number])
+
+    def picture(self, number):
+        """Return the picture of a scene, or None."""
+        return self._sprites[number][1] if number in self._sprites else None
+
+    def open(self, number):
+        """Play a scene."""
+        self._toy.files.open(self.paths[number])
+
+    def put_away(self, number):
+        """Move a scene to a folder beside the others, where it is not lost, and say so."""
+        path = self.paths[number]
+        target = path.parent / AWAY / path.name
+        try:
+            target.parent.mkdir(exist_ok=True)
+            while target.exists():
+                target = target.with_stem(f"{target.stem} again")
+            path.rename(target)
+        except OSError as error:
+            self._toy.notices.say(trouble(path, "cannot be put away", error), trouble=True)
+            return
+        self._toy.notices.say(f"Moved to {target}")
+        self.begin()
+
+    def run(self, now_s, rooms):
+        """Fit the pictures that were read into their rooms; return the numbers of those that look different."""
+        moved = []
+        self._in_sight = [self.paths[number] for number in rooms]
+        self._forget_some(rooms)
+        self._read_on()
+        for number, room in rooms.items():
+            picture = self._pictures.get(self.paths[number])
+            if picture and self._sprites.get(number, (None,))[0] != room:
+                self._sprites[number] = room, _fitting(picture, room)
+                moved.append(number)
+        return moved
+
+    def _read_on(self):
+        """Read a few of the pictures in sight that are missing, beside the frames."""
+        missing = [path for path in self._in_sight if path not in self._pictures][:BATCH]
+        if missing and not self._reading:
+            self._reading = True
+            self._toy.background.do(partial(_thumbnails, missing), self._take)
+
+    def _take(self, found):
+        self._reading = False
+        for path, size, data in found:
+            self._pictures[path] = pygame.image.frombytes(data, size, "RGB") if size else None
+
+    def _forget_some(self, rooms):
+        """Keep the pictures in sight, and of the others those seen last."""
+        for path in self._in_sight:
+            if path in self._pictures:
+                self._pictures[path] = self._pictures.pop(path)
+        for path in list(self._pictures)[: -KEPT - len(rooms)]:
+            del self._pictures[path]
+        self._sprites = {number: sprite for number, sprite in self._sprites.items() if number in rooms}
+
+
+def _thumbnails(paths):
+    """Return [(path, size, RGB bytes)], with (path, None, None) for a file without a picture."""
+    from PIL import Image, ImageOps
+
+    Image.MAX_IMAGE_PIXELS = None  # a saved scene may be as large as a lattice
+    found = []
+    for path in paths:
+        try:
+            with Image.open(path, formats=FORMATS) as image:
+                if max(image.size) > HUGE:  # the mean of all its cells would take gigabytes
+                    image.thumbnail((HUGE, HUGE), Image.Resampling.NEAREST)
+                small = ImageOps.exif_transpose(image).convert("RGB")
+                small.thumbnail(LARGEST, Image.Resampling.BOX)
+                found.append((path, small.size, small.tobytes()))
+        except Exception:  # Pillow's decoders raise whatever a damaged file makes them trip over
+            found.append((path, None, None))
+    return found
+
+
+def _fitting(sprite, room):
+    """Return the sprite as large as `room` allows."""
+    scale = min(room[0] / sprite.get_width(), room[1] / sprite.get_height())
+    size = max(1, round(sprite.get_width() * scale)), max(1, round(sprite.get_height() * scale))
+    return pygame.transform.smoothscale(sprite, size) if scale < 1 else pygame.transform.scale(sprite, size)

@@ -1,0 +1,73 @@
+"""The timer's part of the panel: which time, how much of it is left, and how exact its end was."""
+
+import math
+from dataclasses import replace
+
+from game.play.timer.timer import OFF, RUNNING
+from game.world.sand.duration import spell, spell_left, spell_short
+from game.world.sand.parameters import TIMER
+from game.world.scenes.hourglass_maker import glass_for, scene_of
+
+PRESETS = 1, 3, 5, 10, 25  # minutes
+LONGEST_S = 7200  # of the slider; --timer takes more
+SECONDS = replace(TIMER, high=LONGEST_S, whole=True)
+STEPS_S = (
+    (20, 1),
+    (60, 5),
+    (300, 15),
+    (1800, 30),
+    (math.inf, 60),
+)  # up to so many seconds, the slider goes in such steps
+
+
+class TimerFold:
+    """The rows, which can be folded away."""
+
+    def __init__(self):
+        self.open = False
+
+    def lay_out(self, ui, toy):
+        """Show the rows and obey what was done to them."""
+        timer = toy.timer
+        self.open = ui.fold("Timer", self.open, tip="An hourglass that runs out on time")
+        if not self.open:
+            return
+        before = timer.wanted_s
+        now = PRESETS.index(before / 60) if before / 60 in PRESETS else -1
+        tip = "Minutes until the last grain falls, by the wall clock"
+        chosen = ui.segmented("Minutes", tuple(map(str, PRESETS)), now, tip=tip)
+        wanted_s = 60 * PRESETS[chosen] if chosen != now else before
+        tip = "Time until the last grain falls, by the wall clock: from a second to two hours"
+        turned_s = ui.slider("Any time", SECONDS, wanted_s, log=True, tip=tip, spell=spell_short)
+        if turned_s != wanted_s:
+            wanted_s = _even(wanted_s, turned_s, by_hand=ui.focus.held is not None)
+        if wanted_s != before:
+            timer.set(wanted_s)
+        ui.row(2)
+        label = "Stop" if timer.state == RUNNING else "Start"
+        if ui.button(label, key="T", name="Timer start", tip="Starts the timer, or stops it"):
+            toy.commands.toggle_timer()
+        if ui.button("A glass for it", tip=f"Puts a glass that suits {spell(timer.wanted_s)} in place of this scene"):
+            toy.open_scene(scene_of(glass_for(timer.wanted_s)), toy.session.seed)
+        tip = "A soft sound when the last grain has fallen"
+        toy.settings["chime"] = ui.toggle("Chime at the end", toy.settings["chime"], tip=tip)
+        words = _told(timer)
+        if words:
+            ui.text(words)
+
+
+def _even(before_s, turned_s, by_hand):
+    """Return the time that a person would say: in even steps, the next one on the way where a key asked for it."""
+    step_s = next(step_s for most_s, step_s in STEPS_S if max(before_s, turned_s) <= most_s)
+    rounded = round if by_hand else math.ceil if turned_s > before_s else math.floor
+    return min(max(rounded(turned_s / step_s) * step_s, SECONDS.low), SECONDS.high)
+
+
+def _told(timer):
+    """Return what there is to say of a timer, or ""."""
+    if timer.state == OFF:
+        return ""
+    if timer.state != RUNNING:
+        return f"{timer.said} F turns the glass over and starts again."
+    pace = timer.iterations_per_second
+    return f"{spell_left(timer.left_s)} left" + (f", {pace:,.0f} iterations a second" if pace else "")

@@ -1,0 +1,193 @@
+"""The books: the audit's card, with the sums, and in a world of coloured sand a row for each colour.
+
+A row reads as the sum that it is: start + painted - erased + poured - swallowed = now. What is nothing for all colours
+has no column. Where there is little room, what came is one column and what went another, great numbers are rounded, and
+at last only what there is now is told.
+"""
+
+from itertools import product
+from typing import NamedTuple
+
+import pygame
+
+from game.play.panel.dyes import swatch
+from game.play.plots import charts
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+
+SWATCH = 9  # pixels at scale 1
+GAP = 5  # from one column to the next
+WIDE = 210  # of a row with all that belongs to it
+CLOSEST = 0.9  # of their usual height, that lines may have where there is little room
+ALL = "all"  # the row of the sums
+
+
+class Column(NamedTuple):
+    """A word, its sign in the sum, and its numbers: for each colour, and for all of them."""
+
+    word: str
+    sign: str
+    numbers: tuple
+    total: int
+
+
+class Table(NamedTuple):
+    """How the books are set: with the sums above, in how many columns of rows, and as which columns."""
+
+    sums: bool
+    across: int
+    columns: tuple
+    spell: object
+
+    def lines(self, account):
+        """Return how many lines it is high."""
+        rows = -(-len(account.rows) // self.across)
+        return rows + 1 + (len(account.lines) if self.sums else 1)
+
+
+def card(theme, rect, account, counted):
+    """Return the strokes of the card of an Account in `rect`, where so many grains of each colour were counted."""
+    grains, balanced = sum(counted), counted == account.expected_by_colour
+    strokes, room = charts.card(theme, rect, "Audit", "every grain is there" if balanced else "")
+    if not balanced:
+        head = (room.x, rect.y + theme.px(charts.PAD // 2), room.width, theme.px(charts.HEAD))
+        said = f"but {grains:,}" if grains != account.expected else "but in other colours"
+        strokes.append((draw_list.words, head, said, look.SMALL, look.ACCENT, 1))
+    if not account.coloured:
+        return strokes + _sums(theme, room, account, len(account.lines))
+    table = _fitting(theme, room, account)
+    if table.sums:
+        strokes += _sums(theme, room, account, table.lines(account))
+    return strokes + _rows(theme, room, account, table)
+
+
+def heights(theme, account):
+    """Return the heights in pixels that a card would like, the greatest first: with the sums, and without them."""
+    line = theme.line_height(look.SMALL)
+    return [_chrome(theme) + Table(sums, 1, (), None).lines(account) * line for sums in (True, False)]
+
+
+def widths(theme, account, room):
+    """Return the widths in pixels that a card of `room` pixels' height would like, for rows in one column or two."""
+    line = CLOSEST * theme.line_height(look.SMALL)
+    one = _chrome(theme) + Table(False, 1, (), None).lines(account) * line <= room
+    return [theme.px(WIDE) if one else theme.px(2 * WIDE)]
+
+
+def _chrome(theme):
+    """Return the pixels of a card's height that are not the room left by charts.card."""
+    return 2 * theme.px(charts.PAD // 2) + theme.px(charts.HEAD) + theme.px(4)
+
+
+def _sums(theme, room, account, lines):
+    """Return the strokes of the sums, in the first of so many lines."""
+    line = min(theme.line_height(look.SMALL), room.height // lines)
+    strokes = []
+    for number, (sign, word, grains) in enumerate(account.lines):
+        row = (room.x, room.y + number * line, room.width, line)
+        colour = look.TEXT if sign == "=" else look.DIM
+        strokes.append((draw_list.words, row, f"{sign} {word}".strip(), look.SMALL, colour, 0))
+        strokes.append((draw_list.words, row, f"{grains:,}", look.SMALL, colour, 1))
+    return strokes
+
+
+def _fitting(theme, room, account):
+    """Return the fullest Table that fits the room, or the smallest there is."""
+    high = CLOSEST * theme.line_height(look.SMALL)
+    for (sums, across, columns), spell in product(WAYS, (_exact, _rounded)):
+        table = Table(sums, across, tuple(columns(account)), spell)
+        if table.lines(account) * high <= room.height and _is_wide_enough(theme, room, table):
+            return table
+    return table
+
+
+def _is_wide_enough(theme, room, table):
+    wide = _widths(theme, room, table)[1] - theme.px(GAP)
+    texts = [table.spell(each.sign, number) for each in table.columns for number in (*each.numbers, each.total)]
+    return max(theme.width(text, look.SMALL) for text in [*texts, *(each.word for each in table.columns)]) <= wide
+
+
+def _widths(theme, room, table):
+    """Return the widths of a row, of one of its columns, and of what stands before them."""
+    row = (room.width - (table.across - 1) * theme.px(2 * GAP)) // table.across
+    first = max(theme.px(SWATCH), theme.width(ALL, look.SMALL))
+    return row, (row - first) // max(1, len(table.columns)), first
+
+
+def _rows(theme, room, account, table):
+    """Return the strokes of the table, in the last of its lines."""
+    lines, (row, wide, first) = table.lines(account), _widths(theme, room, table)
+    high = min(theme.line_height(look.SMALL), room.height // lines)
+    top = room.y + (high * len(account.lines) if table.sums else 0)
+    deep = -(-len(account.rows) // table.across)
+    strokes = []
+    for across in range(table.across):
+        left = room.x + across * (row + theme.px(2 * GAP))
+        cells = [pygame.Rect(left + first + number * wide, top, wide, high) for number in range(len(table.columns))]
+        for cell, each in zip(cells, table.columns, strict=True):
+            strokes.append((draw_list.words, tuple(cell), each.word, look.SMALL, look.FAINT, 1))
+        for down, number in enumerate(range(across * deep, min((across + 1) * deep, len(account.rows))), 1):
+            side = min(theme.px(SWATCH), high - 2)
+            box = (left, top + down * high + (high - side) // 2, side, side)
+            strokes.append((draw_list.box, box, swatch(theme.colours, account.rows[number][0]), theme.px(2)))
+            texts = [table.spell(each.sign, each.numbers[number]) for each in table.columns]
+            strokes += _line([cell.move(0, down * high) for cell in cells], texts)
+    if not table.sums:
+        place = pygame.Rect(room.x, top + (deep + 1) * high, first, high)
+        strokes.append((draw_list.words, tuple(place), ALL, look.SMALL, look.TEXT, 0))
+        cells = [pygame.Rect(place.right + number * wide, place.y, wide, high) for number in range(len(table.columns))]
+        strokes += _line(cells, [table.spell(each.sign, each.total) for each in table.columns])
+    return strokes
+
+
+def _line(cells, texts):
+    """Return the strokes of the numbers of one row, the last of which is what there is now."""
+    colours = [look.DIM] * (len(cells) - 1) + [look.TEXT]
+    return [
+        (draw_list.words, tuple(cell), text, look.SMALL, colour, 1)
+        for cell, text, colour in zip(cells, texts, colours, strict=True)
+    ]
+
+
+def _all_columns(account):
+    """Return the columns that are not all nothing, each by its own name."""
+    words = ("start", ""), ("painted", "+"), ("erased", "-"), ("poured", "+"), ("swallowed", "-"), ("now", "=")
+    numbers = list(zip(*account.rows, strict=True))[1:]
+    found = [Column(*word, each, sum(each)) for word, each in zip(words, numbers, strict=True)]
+    return [each for each in found if each.total or each.word in ("start", "now")]
+
+
+def _two_ways(account):
+    """Return what there was, what came, what went, and what there is."""
+    _, start, painted, erased, poured, swallowed, now = zip(*account.rows, strict=True)
+    came = tuple(map(sum, zip(painted, poured, strict=True)))
+    went = tuple(map(sum, zip(erased, swallowed, strict=True)))
+    columns = ("start", "", start), ("came", "+", came), ("went", "-", went), ("now", "=", now)
+    return [Column(word, sign, each, sum(each)) for word, sign, each in columns]
+
+
+def _now_alone(account):
+    return _two_ways(account)[-1:]
+
+
+WAYS = (  # to set the books, the fullest first: with the sums, in so many columns of rows, as which columns
+    (True, 1, _all_columns),
+    (True, 1, _two_ways),
+    (False, 1, _all_columns),
+    (False, 1, _two_ways),
+    (False, 2, _all_columns),
+    (False, 2, _two_ways),
+    (False, 1, _now_alone),
+    (False, 2, _now_alone),
+)
+
+
+def _exact(sign, number):
+    """Return a number in a sum; nothing that came or went is left out."""
+    return f"{sign}{number:,}" if number or sign not in ("+", "-") else ""
+
+
+def _rounded(sign, number):
+    if number < 10_000:
+        return _exact(sign, number)
+    return f"{sign}{number / 1e6:.3g}M" if number >= 999_500 else f"{sign}{number / 1e3:.3g}k"

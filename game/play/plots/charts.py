@@ -1,0 +1,100 @@
+"""Charts: strokes for curves and profiles in a card, in the manner of ui.paint."""
+
+import math
+
+import pygame
+
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+
+HEAD = 18  # height of a card's title at scale 1
+PAD = 8
+ROUND = 1, 1.5, 2, 3, 4, 5, 6, 8, 10  # the figures at which a scale may end, times a power of ten
+
+
+def curve(surface, theme, rect, points, colour):
+    """Draw a line through points, given in pixels from the rect's upper left corner; one of them is a dot."""
+    at = [(rect[0] + x, rect[1] + y) for x, y in points]
+    if len(at) > 1:
+        pygame.draw.lines(surface, theme.rgb(colour), False, at, max(1, theme.px(1)))
+    elif at:
+        surface.fill(theme.rgb(colour), (*at[0], theme.px(1), theme.px(1)))
+
+
+def hill(surface, theme, rect, points, colour):
+    """Fill the ground below points (x, y) in pixels from the rect's upper left corner, from left to right."""
+    x, y, _, height = rect
+    for left, top in points:
+        surface.fill(theme.rgb(colour), (x + left, y + top, 1, height - top))
+
+
+def card(theme, rect, title, value):
+    """Return (strokes, the rect left for the chart) of a card with a title and what it says now."""
+    px = theme.px
+    room = rect.inflate(-2 * px(PAD), -2 * px(PAD // 2))
+    head = pygame.Rect(room.x, room.y, room.width, px(HEAD))
+    left = pygame.Rect(head.x, head.y, max(0, head.width - theme.width(f"{value} ", look.SMALL)), head.height)
+    strokes = [
+        (draw_list.box, tuple(rect), look.GROUND, px(4)),
+        (draw_list.words, tuple(left), title, look.SMALL, look.DIM, 0),
+        (draw_list.words, tuple(head), value, look.SMALL, look.TEXT, 1),
+    ]
+    return strokes, pygame.Rect(room.x, head.bottom + px(2), room.width, room.bottom - head.bottom - px(4))
+
+
+def round_up(number):
+    """Return the next round figure from `number`, 0 or above, on."""
+    if number == 0:
+        return 0
+    power = 10.0 ** math.floor(math.log10(number))
+    return next(each * power for each in ROUND if each * power >= number * (1 - 1e-9))
+
+
+def figure(number):
+    """Return a round figure as it is written at a scale."""
+    return f"{number:,.10g}"
+
+
+def scale(theme, room, marks, low, high):
+    """Return (strokes of figures at the left, the rect left for the chart), without figures where there is no room.
+
+    marks: [(number between low and high, its words)]. Of two that would touch, the first is written.
+    """
+    line, wide = theme.line_height(look.SMALL), max(theme.width(words, look.SMALL) for _, words in marks)
+    if room.height < 2 * line or 3 * wide > room.width:
+        return [], room
+    places, strokes = [], []
+    for number, words in marks:
+        level = room.bottom - round((number - low) / (high - low) * room.height)
+        place = pygame.Rect(room.x, min(max(level - line // 2, room.y), room.bottom - line), wide, line)
+        if place.collidelist(places) < 0:
+            places.append(place)
+            strokes.append((draw_list.words, tuple(place), words, look.SMALL, look.FAINT, 1))
+    wide += theme.px(PAD // 2)
+    return strokes, pygame.Rect(room.x + wide, room.y, room.width - wide, room.height)
+
+
+def curves(rect, xs, series, low, high):
+    """Return the strokes of series [(numbers, colour)] over rising xs, between `low` and `high`; NaN leaves a gap."""
+    first, span = (xs[0], max(xs[-1] - xs[0], 1e-9)) if xs else (0, 1)
+    strokes = []
+    for numbers, colour in series:
+        run = []
+        for x, number in [*zip(xs, numbers, strict=True), (0, math.nan)]:
+            if not math.isnan(number):
+                share = min(max((number - low) / max(high - low, 1e-9), 0.0), 1.0)
+                place = round((x - first) / span * (rect.width - 1)), round((1 - share) * (rect.height - 1))
+                if not run or place != run[-1]:
+                    run.append(place)
+            elif run:
+                strokes.append((curve, tuple(rect), tuple(run), colour))
+                run = []
+    return strokes
+
+
+def profile(rect, heights, high, colour):
+    """Return the stroke of a profile of (W,) heights, as wide as the rect."""
+    width = len(heights)
+    tops = [int(heights[x * width // rect.width]) for x in range(rect.width)]
+    points = [(x, round((1 - top / max(high, 1)) * rect.height)) for x, top in enumerate(tops) if top]
+    return hill, tuple(rect), tuple(points), colour

@@ -1,0 +1,1 @@
+"""Sessions, files, recordings and settings, as the window keeps them."""

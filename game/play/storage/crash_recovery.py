@@ -1,0 +1,75 @@
+"""The recovery: every session has a journal, and one that ended without a word can be gone on with."""
+
+from datetime import datetime
+from functools import partial
+
+import pygame
+
+from game.play.view.dialog import Answer
+from game.world.files.atomic import FileError
+from game.world.sessions import journal
+from game.world.sessions.journal import Journal
+from game.world.sessions.session import Session
+
+
+class Recovery:
+    """Keeps the journals of the window's sessions, and offers what a crash left."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self._running = False
+
+    def start(self):
+        """Keep journals from now on, and look for one that a crash left."""
+        self._running = True
+        toy = self._toy
+        self.begin(toy.session, toy.session.timeline.history.story())
+        toy.background.do(lambda: next(journal.unfinished(), None), self._offer)
+
+    def begin(self, session, entries):
+        """Open a journal for a session in which `entries` have been done."""
+        if not self._running:
+            return
+        try:
+            session.journal = Journal.begin(*session.timeline.start)
+            for entry in entries:
+                session.journal.note(entry)
+        except FileError as error:
+            session.journal, session.trouble = None, str(error)
+
+    def close(self, session):
+        """End a session's journal."""
+        if session.journal is None:
+            return
+        try:
+            session.journal.close(session.now, "" if session.timeline.goal is not None else session.world.digest())
+        except FileError as error:
+            self._toy.notices.say(error, trouble=True)
+        session.journal = None
+
+    def _offer(self, path):
+        if path is None:
+            return
+        when = datetime.fromtimestamp(path.stat().st_mtime)
+        text = f"A session of {when:%d %B, %H:%M}, was cut off. Nothing of it is lost: it can go on where it was."
+        answers = (
+            Answer("Go on", partial(self._go_on, path), pygame.K_RETURN, "Enter"),
+            Answer("Later", None, pygame.K_ESCAPE, "Esc"),
+            Answer("Let it go", partial(self._let_go, path), pygame.K_DELETE, "Del"),
+        )
+        self._toy.question.ask("Go on where you were?", text, answers)
+
+    def _go_on(self, path):
+        self._toy.background.do(partial(Journal.resume, path), self._take_up)
+
+    def _take_up(self, found):
+        toy = self._toy
+        session = Session.retold(found[1])
+        session.journal = found[0]
+        session.paused = True
+        toy.open_session(session)
+        session.seek(found[1].end, toy.SEEK_NS)
+        toy.notices.say(found[1].problem or "Here you were. Space lets time go on.")
+
+    def _let_go(self, path):
+        self._toy.background.do(partial(journal.finish, path))

@@ -1,0 +1,83 @@
+"""Files that go in and out of the window: scenes saved and opened, whatever is dropped on it."""
+
+from functools import partial
+from pathlib import Path
+from types import SimpleNamespace
+
+from game.world.files.assets import asset
+from game.world.files.checked_table import as_line
+from game.world.files.paths import new_file
+from game.world.scenes.picture_file import Photo, Picture, open_picture, save_picture
+from game.world.scenes.scene import Scene, load_scene
+from game.world.sessions import recording as replay
+from game.world.sessions.recording import Recording
+from game.world.sessions.session import Session
+
+
+def demos():
+    """Return the names of the shipped replays."""
+    return sorted(path.stem for path in asset("replays").glob(f"*{replay.SUFFIX}"))
+
+
+class Files:
+    """Saves and opens beside the frames, and says on the screen what came of it."""
+
+    def __init__(self, toy):
+        self._toy = toy
+
+    def save(self):
+        """Save the scene as it is now as a picture in the user's folder."""
+        session = self._toy.session
+        still = SimpleNamespace(
+            world=session.world.copy(), scene=session.scene, rule=session.rule, seed=session.seed, clock=session.clock
+        )
+
+        def work():
+            path = new_file("scenes", still.scene.name, ".png")
+            save_picture(path, still)
+            return path
+
+        self._toy.background.do(work, lambda path: self._toy.notices.say(f"Saved as {path}"))
+
+    def open(self, path):
+        """Open a scene, a replay, a saved scene or any picture."""
+        self._toy.background.do(partial(read, path), self._take)
+
+    def play_demo(self, name):
+        """Play a shipped replay."""
+        self.open(asset("replays", f"{name}{replay.SUFFIX}"))
+
+    def play(self, recording, name):
+        """Play a Recording from its beginning; this session waits behind it."""
+        toy = self._toy
+        session = Session.retold(recording)
+        toy.recovery.begin(session, recording.entries)
+        toy.open_session(session)
+        toy.notices.say(recording.problem or f"Replay: {name}. Paint at any time and it is yours.")
+
+    def _take(self, found):
+        what, name = found
+        if isinstance(what, Recording):
+            self.play(what, name)
+        elif isinstance(what, Photo):
+            self._toy.photo.show(what)
+        else:
+            scene, seed = what if isinstance(what, Picture) else (what, self._toy.session.seed)
+            opened = f"Opened {name}. Ctrl+Z takes you back."
+            waits = f"{name} was not opened: the sand is still being computed."
+            self._toy.notices.say(opened if self._toy.open_scene(scene, seed) else waits)
+
+
+def read(path):
+    """Return (Scene, Recording, Picture or Photo; the file's name) for a file; raise its error, one line, if none."""
+    path = Path(path)
+    kind = path.suffix.lower()
+    if kind == ".toml":
+        found: Scene | Recording | Picture | Photo = load_scene(path)
+    elif kind == replay.SUFFIX:
+        found = replay.load_replay(path)
+    else:
+        found = open_picture(path)
+        if isinstance(found, Photo):
+            found.picture(in_colours=True)  # which is slow for the first time, and what is shown first
+    return found, as_line(path.stem)

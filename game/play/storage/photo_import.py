@@ -1,0 +1,83 @@
+"""The photo: a picture on its way to become sand, shown as it would be, with its threshold to be turned."""
+
+import numpy as np
+import pygame
+
+from game.play.ui.card import Card
+from game.world.looks import painter
+from game.world.looks.view import View
+from game.world.scenes.picture_file import THRESHOLD
+
+WIDTH = 360  # pixels at scale 1
+TOP = 16
+PICTURE_HEIGHT = 220
+MARKS = {pygame.K_RETURN: True, pygame.K_KP_ENTER: True, pygame.K_ESCAPE: False}
+
+
+class PhotoCard:
+    """The photo that is being looked at, if any."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self._card = self._photo = self._found = None
+        self._threshold, self._in_colours = THRESHOLD.default, True
+
+    @property
+    def shown(self):
+        """Whether a photo is being looked at."""
+        return self._card is not None
+
+    @property
+    def ui(self):
+        """The controls."""
+        return self._card.ui
+
+    def show(self, photo):
+        """Open the card with a Photo."""
+        self._photo, self._threshold, self._in_colours = photo, THRESHOLD.default, True
+        self._found = photo.picture(self._threshold, self._in_colours)
+        self._card = Card(self._toy.theme, WIDTH)
+        self._toy.refresh()
+
+    def listen(self, events, now_s, mouse_pos):
+        """Turn the threshold, take the photo or leave it; return the events that are not the card's."""
+        rest = self._card.lay_out(self._toy, self._toy.theme.px(TOP), events, now_s, mouse_pos)
+        ui = self.ui
+        ui.heading(f"{self._photo.path.name} as sand")
+        self._room = ui.place(self._toy.theme.px(PICTURE_HEIGHT), self._toy.theme.px(8))
+        threshold = ui.slider("Threshold", THRESHOLD, self._threshold, tip=None)
+        in_colours = ui.toggle("In colours", self._in_colours, tip="Gives each grain the dye most like the photo there")
+        if (threshold, in_colours) != (self._threshold, self._in_colours):
+            self._threshold, self._in_colours = threshold, in_colours
+            self._found = self._photo.picture(threshold, in_colours)
+        ui.row(2)
+        taken, left = ui.button("Take it", key="Enter"), ui.button("Leave it", key="Esc")
+        keys = [event.key for event in rest if event.type == pygame.KEYDOWN and event.key in MARKS]
+        if taken or left or keys:
+            self._close(taken or (not left and MARKS[keys[0]]))
+        return [event for event in rest if not (event.type == pygame.KEYDOWN and event.key in MARKS)]
+
+    def draw(self, surface, theme, area):
+        """Draw the card with the photo as it would be; return the rects that it covers."""
+        covered = self._card.draw(surface, theme)
+        room = self._room.move(self._card.rect.topleft)
+        sprite = _sprite(self._found.scene, room.size, theme.colours)
+        surface.blit(sprite, sprite.get_rect(center=room.center))
+        return covered
+
+    def _close(self, taken):
+        """Close the card, unless what it shows is to be taken and cannot be yet."""
+        if not taken or self._toy.open_scene(self._found.scene, self._found.seed):
+            self._card = None
+            self._toy.refresh()
+
+
+def _sprite(scene, size, colours):
+    """Return the scene's cells as a surface that fits `size`."""
+    world = scene.world()
+    view = View.fit(scene.shape, 0, 0, *size)
+    pixels = np.zeros((view.top * 2 + view.height, view.left * 2 + view.width), np.uint32)
+    painter.Painter(view, colours, scene.made_of).draw(world, pixels)
+    part = np.ascontiguousarray(pixels[view.top : view.top + view.height, view.left : view.left + view.width])
+    rgb = part.view(np.uint8).reshape(*part.shape, 4)[..., 2::-1]
+    return pygame.image.frombuffer(rgb.tobytes(), part.shape[::-1], "RGB")

@@ -1,0 +1,224 @@
+"""The recorder: pictures of the window and the sand, and GIFs of what follows or of what has just been."""
+
+import itertools
+import queue
+from functools import partial
+
+import numpy as np
+import pygame
+
+from game.play.storage.gif_writer import Gif
+from game.world.files.paths import new_file
+from game.world.looks import painter as picture
+from game.world.looks.themes import NIGHT, dyed_palette
+from game.world.looks.view import View
+from game.world.sessions.moment import Moment
+from game.world.sessions.snapshots import nearest
+
+FRAME_MS = 40  # of a GIF: 25 frames per second
+PAST_S = 10
+LONGEST_S = 120  # of a recording: a GIF is no film
+LARGEST_GIF = 960, 720  # pixels: a larger lattice is shown at every so many cells
+LARGEST_PICTURE = 4096  # pixels a side, of a picture of the sand with cells larger than a pixel
+BAND = 2**20  # pixels of a picture of the sand that are drawn at a time: drawing takes over twenty bytes for each
+MOST_WAITING = 50  # frames that the writer may be behind; those that come then are left out
+
+
+class Recorder:
+    """Takes pictures and records; all writing is done beside the frames."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self._film = self._frames = None  # while recording: the Film, and the queue to its writer
+        self._since_s = self._last_s = None
+        self._share = None  # how much of the past is written, while that goes on
+
+    @property
+    def said(self):
+        """What the HUD is to say of a recording, or ""."""
+        if self.going_on and self._since_s is not None:
+            return f"Recording {self._last_s - self._since_s:.0f} s    G ends it"
+        return "" if self._share is None else f"Writing the last {PAST_S} seconds: {100 * self._share:.0f} %"
+
+    @property
+    def going_on(self):
+        """Whether what happens is being recorded."""
+        return self._frames is not None
+
+    def shoot_window(self):
+        """Save a picture of the window as it is."""
+        surface = self._toy.window.surface.copy()
+        self._save_picture(partial(_image_of, surface))
+
+    def shoot_sand(self):
+        """Save a picture of the sand, its cells as many whole pixels wide as they are on the screen."""
+        world = self._toy.session.world.copy()
+        most = LARGEST_PICTURE // max(world.shape)
+        scale = max(1, min(round(self._toy.stage.view.cell), most))
+        self._save_picture(partial(_image_of_sand, world, scale, *self._looks()))
+
+    def _save_picture(self, draw):
+        """Save the image that draw() returns, beside the frames."""
+        name = self._toy.session.scene.name
+
+        def work():
+            image = draw()
+            path = new_file("pictures", name, ".png")
+            try:
+                image.save(path)
+            except OSError as error:
+                path.unlink(missing_ok=True)
+                raise error
+            return path
+
+        self._toy.background.do(work, lambda path: self._toy.notices.say(f"Picture saved as {path}"))
+
+    def toggle(self):
+        """Record what follows, or end that."""
+        if self.going_on:
+            self.stop()
+            return
+        session = self._toy.session
+        self._film = Film(session.world.shape, session.scene.cell, *self._looks())
+        self._frames = frames = queue.SimpleQueue()  # without an end, so that nothing ever waits to put into it
+        self._since_s = self._last_s = None
+        work = partial(_write, session.scene.name, self._film, iter(frames.get, None))
+        self._toy.background.do(work, self._say_where, partial(self._give_up, frames))
+
+    def stop(self):
+        """End the recording of what follows, if one goes on."""
+        if self.going_on:
+            self._frames.put(None)
+            self._frames = None
+
+    def look(self, now_s):
+        """Take in the sand of this frame, if it is time for one; never wait for the writer."""
+        if not self.going_on:
+            return
+        self._since_s = now_s if self._since_s is None else self._since_s
+        passed_ms = FRAME_MS if self._last_s is None else (now_s - self._last_s) * 1e3
+        if passed_ms < FRAME_MS - 1:
+            return
+        world = self._toy.session.world
+        if world.shape != self._film.shape or now_s - self._since_s > LONGEST_S:
+            self.stop()
+        elif self._frames.qsize() < MOST_WAITING:
+            self._frames.put((self._film.frame(world), passed_ms))
+            self._last_s = now_s
+
+    def record_past(self):
+        """Record the last seconds again, from the timeline."""
+        session = self._toy.session
+        if self._share is not None or not self._toy.is_there():
+            return
+        end, speed = session.now, session.clock.speed
+        start = max(0, end - round(PAST_S * speed))
+        count = max(1, round((end - start) / speed * 1000 / FRAME_MS))
+        ats = [start + (end - start) * number // count for number in range(count + 1)]
+        film = Film(session.world.shape, session.scene.cell, *self._looks())
+        self._share = 0.0
+        again = _again(session.timeline, ats)
+        frames = self._counted(film, again, len(ats))
+        self._toy.background.do(partial(_write, session.scene.name, film, frames, self._forget_share), self._say_where)
+
+    def _counted(self, film, worlds, count):
+        for number, world in enumerate(worlds, 1):
+            if world.shape == film.shape:
+                yield film.frame(world), FRAME_MS
+            self._share = number / count
+
+    def _looks(self):
+        """Return the colours of the theme, and what the walls are made of."""
+        return self._toy.colours, self._toy.session.scene.made_of
+
+    def _forget_share(self):
+        self._share = None
+
+    def _give_up(self, frames):
+        """End the recording whose writer has failed."""
+        if self._frames is frames:
+            self._frames = None
+
+    def _say_where(self, path):
+        self._toy.notices.say(f"Recorded as {path}")
+
+
+class Film:
+    """Turns worlds of one shape into frames: (h, w) uint8 of places in a palette of the sand's few colours."""
+
+    def __init__(self, shape, cell, colours=NIGHT, walls="stone"):
+        height, width = self.shape = shape
+        scale = min(cell, LARGEST_GIF[0] / width, LARGEST_GIF[1] / height)
+        scale = int(scale) if scale >= 1 else scale
+        size = max(1, round(height * scale)), max(1, round(width * scale))
+        self.colours = _rgb(dyed_palette(colours, walls).reshape(1, -1)).tobytes()  # the palette of a GIF
+        places = itertools.count()
+        view = View(shape, 0, 0, *size[::-1])
+        self._painter = picture.Painter(view, colours, walls, lambda *_: next(places), mixes=False)
+        self._pixels = np.zeros(size, np.uint32)
+
+    def frame(self, world):
+        """Return the frame that shows `world`."""
+        self._painter.draw(world, self._pixels)
+        return self._pixels.astype(np.uint8)
+
+
+def _image_of(surface):
+    from PIL import Image
+
+    return Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))
+
+
+def _image_of_sand(world, scale, colours, walls):
+    """Return an image of a world, `scale` pixels to a cell, drawn in bands for the sake of memory."""
+    from PIL import Image
+
+    height, width = (side * scale for side in world.shape)
+    painter = picture.Painter(View(world.shape, 0, 0, width, height), colours, walls)
+    image = Image.new("RGB", (width, height))
+    for top in range(0, height, max(1, BAND // width)):
+        pixels = np.empty((min(max(1, BAND // width), height - top), width), np.uint32)
+        painter.look_through(View(world.shape, 0, -top, width, height, (0, 0, width, len(pixels))))
+        painter.draw(world, pixels)
+        image.paste(Image.fromarray(_rgb(pixels)), (0, top))
+    return image
+
+
+def _write(name, film, frames, at_the_end=None):
+    """Write frames (pixels, milliseconds) of a film to a new GIF and return its path."""
+    try:
+        gif = Gif(new_file("pictures", name, ".gif"), film.colours)
+        try:
+            for pixels, ms in frames:
+                gif.add(pixels, ms)
+        except Exception:
+            gif.drop()
+            raise
+        gif.close()
+        return gif.path
+    finally:
+        if at_the_end:
+            at_the_end()
+
+
+def _again(timeline, ats):
+    """Return an iterator over the worlds at the iterations `ats`, ascending, computed apart from the timeline."""
+    first = timeline.history.latest(ats[0])
+    snapshot = nearest(first, ats[0])
+    moment = snapshot.moment() if snapshot else Moment.start(*timeline.start)
+    acts = timeline.history.after(snapshot.act if snapshot else timeline.history.root)
+
+    def worlds():
+        for at in ats:
+            while acts and acts[-1].at <= at:
+                moment.run(acts[-1].at - moment.now)
+                moment.take(acts.pop().action)
+            moment.run(at - moment.now)
+            yield moment.world
+
+    return worlds()
+
+
+def _rgb(pixels):
+    """Return 0xRRGGBB values as (..., 3) uint8."""
+    return np.stack([pixels >> 16 & 255, pixels >> 8 & 255, pixels & 255], axis=-1).astype(np.uint8)

@@ -1,0 +1,207 @@
+"""Times the toy in its own window: where a frame's time goes, and how soon the first one is there.
+
+`python -m game.play.trials.frame_timing --help` says how; the bench runs it in a process of its own.
+"""
+
+import argparse
+import json
+import statistics
+import time
+from collections import Counter
+
+import numpy as np
+import pygame
+
+from game.play import loop
+from game.play.app import Toy
+from game.play.ui.theme import Theme
+from game.play.window import opening
+from game.play.window.window import Window
+from game.world.background.kernel_warmup import CELLS, later_steps, steps
+from game.world.files.settings import Settings
+from game.world.sand import parameters
+from game.world.sand.advance import advance
+from game.world.scenes.scene import load_scene
+
+FRAME_NS = 10**9 // loop.FRAMES_PER_SECOND
+WARM_UP = 5  # frames before the count: the first ones draw everything and fill caches of rendered text
+STAGES = {  # what each stage is made of; the rest of a frame is "other"
+    "stepping": lambda toy: [(toy.session, "frame")],
+    "drawing": lambda toy: [(toy.window, "paint")],
+    "panel": lambda toy: [(toy.panel, "lay_out"), (toy.panel.ui, "end"), (toy.hud, "drawing"), (toy.hud, "count")],
+    "present": lambda toy: [(toy.window, "show")],
+}
+
+
+SHOWN = {"forecast": "toggle_forecast", "plots": "toggle_plots", "schedules": "compare"}  # by which command
+
+
+def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(), cell=None):
+    """Play `count` frames of `scene` at `iterations` a frame, without pauses, and return the report as a dict.
+
+    shown: names of SHOWN, what is to be seen besides the sand. cell: pixels to a cell; None: the lattice fits.
+    """
+    pygame.font.init()
+    window = Window(window_size or opening.window_size(scene, scene.cell, Theme(1.0)))
+    for each in CELLS:
+        for _, act in steps(scene.rule, scene.made_of, each):
+            act()
+    for _, act in later_steps(scene.rule) if shown else ():
+        act()
+    toy = Toy(window, scene, p=p)
+    toy.settings["smooth_streams"] = smooth
+    toy.session.clock.speed = iterations * loop.FRAMES_PER_SECOND
+    for name in shown:
+        getattr(toy.commands, SHOWN[name])()
+    spent = Counter()
+    _watch(toy, spent)
+    played = []  # each frame's nanoseconds by stage
+    forecasts = {}  # the runs of each question that was answered
+    for number in range(WARM_UP + count):
+        if number == WARM_UP:
+            first, begin = toy.session.world.iteration, time.perf_counter()
+            forecasts.clear()
+        spent.clear()
+        _play_frame(toy, spent, number * FRAME_NS / 1e9)
+        played.append(dict(spent))
+        if number == 0 and cell:  # the stage is there from the first frame on
+            toy.camera.zoom_to(cell)
+        if toy.forecasting.answer:
+            forecasts[toy.forecasting.answer.question] = toy.forecasting.answer.runs
+    seconds = time.perf_counter() - begin
+    report = _report(toy, scene, played[WARM_UP:], toy.session.world.iteration - first)
+    toy.close()
+    if forecasts:
+        report["forecast"] = {"per_second": len(forecasts) / seconds, "runs": statistics.median(forecasts.values())}
+    return report | {"shown": list(shown)}
+
+
+def _watch(toy, spent):
+    """Let each stage add its time to `spent`."""
+    for stage, parts in STAGES.items():
+        for holder, name in parts(toy):
+            setattr(holder, name, _timed(getattr(holder, name), stage, spent))
+
+
+def _timed(act, stage, spent):
+    def timed(*arguments, **named):
+        start = time.perf_counter_ns()
+        try:
+            return act(*arguments, **named)
+        finally:
+            spent[stage] += time.perf_counter_ns() - start
+
+    return timed
+
+
+def _play_frame(toy, spent, now_s):
+    """Play one frame of a sixtieth of a second, as the loop does."""
+    start = time.perf_counter_ns()
+    events = pygame.event.get()
+    spent["events"] = time.perf_counter_ns() - start
+    toy.frame(events, FRAME_NS, now_s)
+    spent["frame"] = time.perf_counter_ns() - start
+    spent["other"] = 2 * spent["frame"] - sum(spent.values())
+
+
+def _report(toy, scene, played, iterations):
+    """Return what the frames took, and whether the world shown is the one that a run without a window gives."""
+    world = toy.session.world
+    twin = scene.world(world.seed)
+    advance(twin, toy.session.rule, world.iteration)
+    columns = {stage: [each.get(stage, 0) / 1e6 for each in played] for stage in (*STAGES, "events", "other", "frame")}
+    whole = columns.pop("frame")
+    return {
+        "scene": scene.name,
+        "cells": scene.shape[::-1],
+        "window": toy.window.size,
+        "pixels_per_cell": toy.stage.view.cell,
+        "driver": pygame.display.get_driver(),
+        "frames": len(played),
+        "iterations": iterations,
+        "smooth": toy.session.streams is not None and toy.session.streams.follows(world),
+        "stage_ms": {stage: statistics.mean(column) for stage, column in columns.items()},
+        "frame_ms": {
+            "mean": statistics.mean(whole),
+            "median": statistics.median(whole),
+            "p99": float(np.percentile(whole, 99)),
+            "max": max(whole),
+        },
+        "same_as_without_window": world.digest() == twin.digest(),
+    }
+
+
+def start_up(since_ns):
+    """Start the toy, stop it after its first frame, and return when each part was there, in seconds after `since_ns`.
+
+    since_ns: time.time_ns() when the process was started.
+    """
+    marks = {}
+
+    def mark(name):
+        marks.setdefault(name, (time.time_ns() - since_ns) / 1e9)
+
+    mark("imported")
+    _after(Window, "__init__", lambda *_: mark("window"))
+    _after(Window, "show", lambda *_: "window" in marks and mark("splash"))
+    _after(Toy, "frame", lambda toy: (mark("playing"), setattr(toy, "running", False)))
+    driver = []
+    _after(Toy, "frame", lambda *_: driver.append(pygame.display.get_driver()))
+    loop.play(load_scene("hourglass"), Settings())
+    return {"marks_s": marks, "driver": driver[0]}
+
+
+def _after(kind, name, act):
+    """Call `act` with the object each time after the method `name` of the class `kind`."""
+    method = getattr(kind, name)
+
+    def followed(self, *arguments, **named):
+        result = method(self, *arguments, **named)
+        act(self)
+        return result
+
+    setattr(kind, name, followed)
+
+
+def _pair(text):
+    width, height = map(int, text.lower().split("x"))
+    return width, height
+
+
+def main():
+    """Print the report that the command line asks for."""
+    parser = argparse.ArgumentParser(
+        prog="python -m game.play.trials.frame_timing", description=__doc__.splitlines()[0]
+    )
+    parser.add_argument("--scene", default="hourglass", metavar="NAME|FILE")
+    parser.add_argument("--size", type=_pair, metavar="WxH", help="lattice, in cells (default: the scene's)")
+    parser.add_argument("--window", type=_pair, metavar="WxH", help="window, in pixels (default: the scene's)")
+    parser.add_argument("--iterations-per-frame", type=int, default=16, metavar="N")
+    parser.add_argument("--frames", type=int, default=300, metavar="N")
+    parser.add_argument("--p", type=float, metavar="P", help=parameters.P.meaning)
+    parser.add_argument("--with", dest="shown", nargs="+", default=[], choices=SHOWN, help="what to show besides")
+    parser.add_argument("--zoom", type=float, metavar="PX", help="pixels to a cell (default: the lattice fits)")
+    parser.add_argument("--plain-streams", action="store_true", help="draw falling sand cell by cell")
+    parser.add_argument("--start-up", action="store_true", help="time the start instead of frames")
+    parser.add_argument("--since", type=int, default=time.time_ns(), metavar="NS", help="when the process was started")
+    parser.add_argument("--json", action="store_true", help="print one JSON object on one line")
+    options = parser.parse_args()
+    if options.start_up:
+        report = start_up(options.since)
+    else:
+        scene = load_scene(options.scene, options.size)
+        report = frames(
+            scene,
+            options.window,
+            options.iterations_per_frame,
+            options.frames,
+            not options.plain_streams,
+            options.p,
+            options.shown,
+            options.zoom,
+        )
+    print(json.dumps(report, indent=None if options.json else 2))
+
+
+if __name__ == "__main__":
+    main()

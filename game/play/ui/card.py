@@ -1,0 +1,46 @@
+"""A card: a small panel that lies over the sand for a while, with controls in it."""
+
+import pygame
+
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+from game.play.ui.widgets import Ui
+
+GUESS = 120  # height in pixels at scale 1, until the controls have been laid out
+RADIUS = 8
+
+
+class Card:
+    """Controls in a box that is as high as they need."""
+
+    def __init__(self, theme, width):
+        self.ui = Ui(theme)
+        self._width = width  # pixels at scale 1
+        self.rect = pygame.Rect(0, 0, 0, 0)
+
+    def lay_out(self, toy, top, events, now_s, mouse_pos):
+        """Begin a frame of controls at `top` pixels under the upper edge of the sand; return the events left over."""
+        theme, area = toy.theme, toy.layout.sand
+        self.ui.theme = theme
+        wide = min(theme.px(self._width), area.width - 2 * theme.px(8))
+        high = min(self.ui.focus.scroll.content or theme.px(GUESS), area.height - top)
+        rect = pygame.Rect(area.centerx - wide // 2, area.y + top, wide, high)
+        if events or rect != self.rect:
+            toy.refresh()
+        self.rect = rect
+        return self.ui.begin(rect, events, now_s, mouse_pos)
+
+    def draw(self, surface, theme):
+        """End the frame: draw the box and the controls; return the rects that they cover."""
+        covered = draw_box(surface, theme, self.rect)
+        self.ui.invalidate()
+        self.ui.end(surface)
+        return covered
+
+
+def draw_box(surface, theme, rect):
+    """Draw an empty card around `rect`; return the rects that it covers."""
+    edge = rect.inflate(2 * theme.px(5), 2 * theme.px(5))
+    draw_list.box(surface, theme, edge, look.EDGE, theme.px(RADIUS))
+    draw_list.box(surface, theme, edge.inflate(-2, -2), look.GROUND, theme.px(RADIUS))
+    return [edge]

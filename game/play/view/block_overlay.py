@@ -1,0 +1,198 @@
+"""The blocks over the sand: the partition of the coming iteration, what each block can do, what it has just done.
+
+All of it is drawn once into what was drawn anew of the sand, so that soft edges stay soft.
+"""
+
+import math
+from functools import lru_cache
+
+import numpy as np
+import pygame
+
+from game.play.ui import theme as look
+from game.world.sand.block_events import MOVES, coming_events, happened, offset
+from game.world.sand.crop import Part
+
+LEAST_CELL = 12  # pixels: in smaller cells no arrow can be seen
+LEAST_WORDS = 28  # pixels to a cell, for the chance to be written into a block
+SLOW = 8  # iterations per second: slow enough to follow
+SMOOTHING = 4  # sprites are drawn this many times larger and shrunk
+
+
+class Blocks:
+    """Shown while it is on, cells are large, and time stands still or goes slowly."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self.on = False
+        self._known = None  # what the events below are for: world, iteration, stamp, rule, view
+        # Events: what the coming iteration can bring; what came about in the last one, and what chance refused there
+        self.coming = self.trails = self.stays = None
+
+    def toggle(self):
+        """Show the blocks, or hide them; if they cannot be seen now, say why."""
+        self.on = not self.on
+        if self.on and self._toy.stage.view.cell < LEAST_CELL:
+            words = "Zoom in until grains are large, and their blocks will show: Ctrl+wheel, or Ctrl and +"
+            self._toy.notices.say(words, holds=lambda: self.on and not self.shown)
+        elif self.on and not self._is_calm:
+            words = "Blocks show while time stands still: Space, then . for one iteration"
+            self._toy.notices.say(words, holds=lambda: self.on and not self.shown)
+
+    @property
+    def shown(self):
+        """Whether they are to be drawn."""
+        return self.on and self._is_calm and self._toy.stage.view.cell >= LEAST_CELL and not self._toy.stage.turn
+
+    @property
+    def _is_calm(self):
+        session = self._toy.session
+        return session.paused or session.clock.speed <= SLOW
+
+    def prepare(self):
+        """Look at the blocks in sight, and have the stage drawn anew if they are not those that were drawn."""
+        known = self._present() if self.shown else None
+        if known == self._known:
+            return
+        before, self._known = self._known, known
+        if known:
+            self._look(before, known)
+        else:
+            self.coming = self.trails = self.stays = None
+        self._toy.stage.blocks = self if known else None
+        self._toy.stage.refresh()
+
+    def draw(self, surface, theme, view):
+        """Draw them over the cells in sight, as far as the surface's clip goes."""
+        cell, clip = view.cell, surface.get_clip()
+        surface.set_clip(clip.clip(self._toy.stage.area))
+        _draw_lines(surface, view, offset(self._known[0], self._known[3]), theme)
+        inks = tuple(theme.rgb(role) for role in (look.SUNKEN, look.DIM, look.BRIGHT_HANDLE))
+        for events, sprite_of in ((self.trails, _trail), (self.stays, _stay), (self.coming, _arrow)):
+            if events is not None:
+                _draw_moves(surface, view, events, lambda move, of=sprite_of: of(round(cell), move, inks))
+        if cell >= LEAST_WORDS * theme.scale:
+            _draw_chances(surface, view, self.coming, theme)
+        surface.set_clip(clip)
+
+    def _present(self):
+        session, stage = self._toy.session, self._toy.stage
+        world = session.world
+        return world, world.iteration, world.activity.stamp, session.rule, stage.view
+
+    def _look(self, before, known):
+        """Find what can happen, and if one iteration has passed since `before`, what has."""
+        world, iteration, stamp, rule, view = known
+        part = part_in_sight(view)
+        if before and before[:1] == (world,) and (before[1] + 1, before[2] + 1) == (iteration, stamp):
+            done = happened(self.coming, world, part_in_sight(before[4]))
+            self.trails, self.stays = self.coming.only(done), self.coming.only(~done)
+        elif not before or before[:3] != known[:3]:
+            self.trails = self.stays = None
+        self.coming = coming_events(world, rule, part)
+
+
+def part_in_sight(view):
+    """Return the Part of the lattice of which any cell is in sight."""
+    left, top, right, bottom = view.seen
+    first, last = view.place(left, top), view.place(right, bottom)
+    return Part.within(
+        view.shape, *(math.floor(each) for each in first[::-1]), *(math.ceil(each) for each in last[::-1])
+    )
+
+
+def _draw_lines(surface, view, first, theme):
+    """Draw fine lines between cells and stronger ones around blocks."""
+    left, top, right, bottom = view.seen
+    thick = max(1, round(view.cell / 20))
+    rows, columns = view.shape
+    ends = view.pixel(columns + (columns - first[0]) % 2, rows + (rows - first[1]) % 2)  # blocks reach outside
+    edges = surface.get_clip().bottomright
+    right, bottom = (min(math.ceil(end) + thick, edge) for end, edge in zip(ends, edges, strict=True))
+    fine, strong = theme.rgb(look.GROUND), theme.rgb(look.RING)
+    for colour, parity in ((fine, 1), (strong, 0)):
+        wide = 1 if colour == fine else thick
+        for column in range(int(view.place(left, top)[0]), int(view.place(right, top)[0]) + 2):
+            if (column - first[0]) % 2 == parity and column >= first[0]:
+                surface.fill(colour, (_edge(view.pixel(column, 0)[0]) - wide // 2, top, wide, bottom - top))
+        for row in range(int(view.place(left, top)[1]), int(view.place(left, bottom)[1]) + 2):
+            if (row - first[1]) % 2 == parity and row >= first[1]:
+                surface.fill(colour, (left, _edge(view.pixel(0, row)[1]) - wide // 2, right - left, wide))
+
+
+def _draw_moves(surface, view, events, sprite_of):
+    """Draw a sprite for every grain of every event, over the corners of its block."""
+    sprites = []
+    for row, column, move in zip(*(each.tolist() for each in events[:3]), strict=True):
+        x, y = view.pixel(column, row)
+        place = _edge(x), _edge(y)
+        sprites.append((sprite_of(move), place))
+    surface.blits(sprites, False)
+
+
+def _draw_chances(surface, view, events, theme):
+    """Write the chance of each event that is left to it."""
+    left_to_chance = events.only(events.chances < 1)
+    for row, column, _, chance in zip(*(each.tolist() for each in left_to_chance), strict=True):
+        x, y = view.pixel(column + 1, row + 1)
+        words = theme.words(f"{chance:.2g}", look.SMALL, look.TEXT)
+        page = words.get_rect(center=(round(x), round(y)))
+        surface.fill(theme.rgb(look.SUNKEN), page.inflate(theme.px(6), 0))
+        surface.blit(words, page)
+
+
+@lru_cache(maxsize=256)
+def _arrow(cell, move, inks):
+    """Return arrows for the grains of a move, in a sprite the size of a block."""
+    canvas = _canvas(cell)
+    for start, end in MOVES[move]:
+        for colour, margin in ((inks[0], cell * 0.06), (inks[2], 0)):
+            pygame.draw.polygon(canvas, colour, _arrow_points(start, end, cell, margin))
+    return pygame.transform.smoothscale(canvas, (2 * cell, 2 * cell))
+
+
+@lru_cache(maxsize=256)
+def _trail(cell, move, inks):
+    """Return the ways that the grains of a move have come, as dots that grow."""
+    canvas = _canvas(cell)
+    for start, end in MOVES[move]:
+        for number, share in enumerate((0.0, 0.3, 0.55)):
+            x, y = ((s + share * (e - s) + 0.5) * cell * SMOOTHING for s, e in zip(start[::-1], end[::-1], strict=True))
+            radius = cell * SMOOTHING * (0.07 + 0.025 * number)
+            pygame.draw.circle(canvas, inks[1], (x, y), radius)
+    return pygame.transform.smoothscale(canvas, (2 * cell, 2 * cell))
+
+
+@lru_cache(maxsize=256)
+def _stay(cell, move, inks):
+    """Return a ring around each grain of a move that chance has refused."""
+    canvas = _canvas(cell)
+    for (row, column), _ in MOVES[move]:
+        middle = (column + 0.5) * cell * SMOOTHING, (row + 0.5) * cell * SMOOTHING
+        ring = cell * SMOOTHING * 0.36, max(1, round(cell * SMOOTHING * 0.07))
+        pygame.draw.circle(canvas, inks[0], middle, *ring)
+    return pygame.transform.smoothscale(canvas, (2 * cell, 2 * cell))
+
+
+def _canvas(cell):
+    canvas = pygame.Surface((2 * cell * SMOOTHING, 2 * cell * SMOOTHING), pygame.SRCALPHA)
+    canvas.fill((0, 0, 0, 0))
+    return canvas
+
+
+def _arrow_points(start, end, cell, margin):
+    """Return the outline of an arrow from one corner of a block to another, `margin` pixels wider all round."""
+    (y0, x0), (y1, x1) = start, end
+    along = np.array([x1 - x0, y1 - y0]) / math.hypot(x1 - x0, y1 - y0)
+    across = np.array([-along[1], along[0]])
+    tail = (np.array([x0, y0]) + 0.5) * cell - along * margin
+    tip = (np.array([x1, y1]) + 0.5) * cell + along * (0.12 * cell + 1.6 * margin)
+    neck = tip - along * (0.36 * cell + 2.2 * margin)
+    shaft, head = across * (0.07 * cell + margin), across * (0.22 * cell + 1.6 * margin)
+    outline = (tail + shaft, neck + shaft, neck + head, tip, neck - head, neck - shaft, tail - shaft)
+    return [tuple(point * SMOOTHING) for point in outline]
+
+
+def _edge(position):
+    """Return the first pixel of a cell that begins at a position."""
+    return math.ceil(position - 0.5)

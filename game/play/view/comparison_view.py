@@ -1,0 +1,233 @@
+"""Panes: a stage for each world of a comparison, side by side, of which the leading one is the stage of all tools."""
+
+from dataclasses import replace
+
+import pygame
+
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+from game.play.view.sand_view import Stage
+from game.world.sand.measure import grains_above
+
+TITLE = 26  # height of a title at scale 1
+PAD = 8  # in a title, beside and between its words
+GAP = 3  # between panes, so that zoomed worlds are not read as one
+FORMS = (  # of a title, from the fullest: size of its name, words of its count
+    *((look.HEADING, 3), (look.HEADING, 1), (look.SMALL, 1)),
+    *((look.HEADING, 0), (look.SMALL, 0)),
+)
+REFRESH_S = 0.25  # the grains left are counted so often
+
+
+class Panes:
+    """Looks like a Stage to the toy; what is shown and done in one pane is shown and done in all."""
+
+    def __init__(self, window, toy, comparison):
+        self._window, self._toy, self._comparison = window, toy, comparison
+        self._stages = {each: Stage(window) for each in comparison.sessions}
+        self._lead = self._stages[comparison.schedule]
+        self._shifts = {}  # of each pane from the leading one, in pixels
+        self._titles, self._drawn, self._counted_s = {}, {}, None
+        self._left = {}  # the grains above the neck in each world
+        self._held = None  # the shift of the pane in which a button is held
+        self._gaps, self._gapped = [], False  # between panes; whether they are drawn
+        self._overlay, self._covered = None, []  # as last drawn, and the rects that it covers
+
+    # --- as a stage ---
+
+    area = property(lambda self: self._lead.area)
+    view = property(lambda self: self._lead.view)
+    whole = property(lambda self: self._lead.whole)
+    turn = property(lambda self: self._lead.turn)
+
+    @property
+    def veil(self):
+        """What lies over the leading world."""
+        return self._lead.veil
+
+    @veil.setter
+    def veil(self, veil):
+        self._lead.veil = veil
+
+    @property
+    def blocks(self):
+        """The blocks over the leading world."""
+        return self._lead.blocks
+
+    @blocks.setter
+    def blocks(self, blocks):
+        self._lead.blocks = blocks
+
+    def fit(self, shape, area, margin, theme, walls):
+        """Show lattices of `shape` beside or below one another in `area`, whichever leaves larger cells."""
+        high, gap = theme.px(TITLE), theme.px(GAP)
+        ways = [_split(area, len(self._stages), across, high, gap) for across in (True, False)]
+        rects = max(ways, key=lambda rects: min(rects[0].height / shape[0], rects[0].width / shape[1]))
+        for (schedule, stage), rect in zip(self._stages.items(), rects, strict=True):
+            stage.fit(shape, rect, margin, theme, walls)
+            self._titles[schedule] = pygame.Rect(rect.x, rect.y - high, rect.width, high)
+        lead = self._lead.area
+        self._shifts = {each: (s.area.x - lead.x, s.area.y - lead.y) for each, s in self._stages.items()}
+        self._gaps = _gaps([*self._titles.values()], rects, gap)
+        self._drawn, self._gapped = {}, False
+
+    def show(self, view):
+        """Show the lattices through another view."""
+        for schedule, stage in self._stages.items():
+            stage.show(_moved(view, *self._shifts[schedule]))
+
+    def refresh(self):
+        """Draw everything next time."""
+        self._drawn, self._gapped, self._overlay, self._covered = {}, False, None, []
+        for stage in self._stages.values():
+            stage.refresh()
+
+    def start_turn(self, now_s, quarters):
+        """Let the pictures go round by so many quarters, from now on."""
+        for stage in self._stages.values():
+            stage.start_turn(now_s, quarters)
+
+    def end_turn(self):
+        """Show the worlds again as they are."""
+        for stage in self._stages.values():
+            stage.end_turn()
+
+    def draw(self, world, marks, overlay, now_s, streams=None):
+        """Bring all panes up to date and return the rects of the window that changed; see `Stage.draw`."""
+        if self._overlay and not overlay:
+            self.refresh()
+        panes = [
+            (self._stages[schedule], session.world, self._marks_in(schedule, marks))
+            for schedule, session in self._comparison.sessions.items()
+        ]
+        self._count(now_s)
+        under = []  # what soft edges lie over comes first, in all panes
+        if overlay is not self._overlay or self._new_titles() or any(_differs(*pane) for pane in panes):
+            under = self._covered
+            self._drawn = {each: t for each, t in self._drawn.items() if self._titles[each].collidelist(under) < 0}
+            self._gapped = self._gapped and all(gap.collidelist(under) < 0 for gap in self._gaps)
+        rects = []
+        for stage, world, here in panes:
+            rects += stage.draw(
+                world, here, None, now_s, under=[rect for rect in under if rect.colliderect(stage.area)]
+            )
+        rects += self._draw_titles() + self._draw_gaps()
+        before, self._overlay = self._overlay, overlay
+        if overlay and (rects or overlay is not before):
+            self._covered = overlay(self._window.surface)
+            rects += [*under, *self._covered]
+        return rects
+
+    def _marks_in(self, schedule, marks):
+        x, y = self._shifts[schedule]
+        return tuple(each._replace(points=tuple((a + x, b + y) for a, b in each.points)) for each in marks)
+
+    def own(self, event):
+        """Return an event of the pointer over any pane as one over the leading pane."""
+        if event.type not in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
+            return event
+        if event.type == pygame.MOUSEBUTTONDOWN and self._held is None:
+            self._held = self._shift_at(event.pos)
+        moved = pygame.event.Event(event.type, {**event.dict, "pos": self.here(event.pos)})
+        if event.type == pygame.MOUSEBUTTONUP:
+            self._held = None
+        return moved
+
+    def let_go(self):
+        """Forget in which pane a button is held."""
+        self._held = None
+
+    def here(self, pos):
+        """Return the place in the leading pane that a place in the window stands for."""
+        if pos is None:
+            return None
+        x, y = self._held or self._shift_at(pos)
+        return pos[0] - x, pos[1] - y
+
+    def _shift_at(self, pos):
+        inside = (each for each, stage in self._stages.items() if stage.area.collidepoint(pos))
+        return self._shifts.get(next(inside, None), (0, 0))
+
+    # --- titles ---
+
+    def titles(self):
+        """Return what is written above each world."""
+        return {each: (each.capitalize(), f"{self._left.get(each, 0):,} left above") for each in self._stages}
+
+    def _count(self, now_s):
+        """Count the grains that are left above, if it is time to."""
+        if self._counted_s is None or now_s - self._counted_s >= REFRESH_S:
+            self._counted_s, row = now_s, self._toy.plots.measured_row
+            sessions = self._comparison.sessions.items()
+            self._left = {schedule: grains_above(session.world, row) for schedule, session in sessions}
+
+    def _written(self):
+        """Return {schedule: (name, its size, its count)}: the fullest form that there is room for in all titles."""
+        theme, titles = self._toy.theme, self.titles()
+        room = min(rect.width for rect in self._titles.values()) - 2 * theme.px(PAD)
+        for size, number in FORMS:
+            written = {each: (name, size, _first(left, number)) for each, (name, left) in titles.items()}
+            if all(_width(theme, *each) <= room for each in written.values()):
+                break
+        return written
+
+    def _new_titles(self):
+        return {each: title for each, title in self._written().items() if title != self._drawn.get(each)}
+
+    def _draw_titles(self):
+        new, theme, surface = self._new_titles(), self._toy.theme, self._window.surface
+        for schedule, (name, size, left) in new.items():
+            rect, leads = self._titles[schedule], schedule == self._comparison.schedule
+            draw_list.fill(surface, theme, rect, look.SUNKEN)
+            if leads:
+                line = theme.px(2)
+                draw_list.fill(surface, theme, (rect.x, rect.bottom - line, rect.width, line), look.ACCENT)
+            words = rect.inflate(-2 * theme.px(PAD), 0)
+            draw_list.words(surface, theme, words, name, size, look.BRIGHT_HANDLE if leads else look.DIM, 0)
+            draw_list.words(surface, theme, words, left, look.SMALL, look.TEXT if leads else look.DIM, 1)
+        self._drawn |= new
+        return [self._titles[each] for each in new]
+
+    def _draw_gaps(self):
+        if self._gapped:
+            return []
+        self._gapped = True
+        for gap in self._gaps:
+            draw_list.fill(self._window.surface, self._toy.theme, gap, look.EDGE)
+        return self._gaps
+
+
+def _first(words, number):
+    return " ".join(words.split()[:number])
+
+
+def _width(theme, name, size, left):
+    """Return how much room a title takes, with what is free between its words."""
+    return theme.width(name, size) + (theme.px(PAD) + theme.width(left, look.SMALL) if left else 0)
+
+
+def _differs(stage, world, marks):
+    return stage.turn is not None or stage.differs(world, marks)
+
+
+def _split(area, number, across, high, gap):
+    """Return `number` rects of one size in `area`, with `high` pixels free above each and `gap` between them."""
+    wide = (area.width - (number - 1) * gap) // number if across else area.width
+    tall = area.height if across else (area.height - (number - 1) * gap) // number
+    step = (wide + gap, 0) if across else (0, tall + gap)
+    corners = [(area.x + k * step[0], area.y + k * step[1]) for k in range(number)]
+    return [pygame.Rect(x, y + high, wide, max(1, tall - high)) for x, y in corners]
+
+
+def _gaps(titles, rects, gap):
+    """Return the gaps after all panes but the last: right of them where they stand side by side, else below."""
+    panes = [title.union(rect) for title, rect in zip(titles, rects, strict=True)]
+    if panes[0].y == panes[-1].y:
+        return [pygame.Rect(pane.right, pane.y, gap, pane.height) for pane in panes[:-1]]
+    return [pygame.Rect(pane.x, pane.bottom, pane.width, gap) for pane in panes[:-1]]
+
+
+def _moved(view, x, y):
+    """Return the view moved by pixels."""
+    frame = view.frame and (view.frame[0] + x, view.frame[1] + y, *view.frame[2:])
+    return replace(view, left=view.left + x, top=view.top + y, frame=frame)

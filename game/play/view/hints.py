@@ -1,0 +1,96 @@
+"""Hints: three lines at the right moment of the first minutes, each shown once and then never again.
+
+A hint that the player did not need, having done already what it says, counts as seen.
+"""
+
+from typing import NamedTuple
+
+from game.world.sessions.action import Draw, Fill, Flip, Paint, SetRule
+
+APART_S = 15.0  # from one hint to the next
+STILL_S = 1.5  # sand that has not moved for so long has come to rest
+
+
+class Hint(NamedTuple):
+    """A name, as the settings remember it, the earliest moment (seconds after the start), and what is said."""
+
+    name: str
+    after_s: float
+    words: str
+
+
+HINTS = (
+    Hint(
+        "paint",
+        8.0,
+        "Press and drag to pour sand; the right button takes it away.",
+    ),
+    Hint("flip", 0.0, "All has come to rest. F turns the glass over."),
+    Hint("p", 40.0, "Drag p in the panel: with less of it the sand is rougher, and its piles are steeper."),
+)
+
+
+class Hints:
+    """Looks for the moment of those hints that are still to be shown."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self._start_s = self._still_since_s = self._last_s = None
+        self._before = None, None  # the timeline and its line at the last look
+
+    def look(self, now_s):
+        """Show a hint, if it is the moment for one."""
+        left = [hint for hint in HINTS if hint.name not in self._toy.settings["hints_seen"]]
+        if not left:
+            return
+        if self._start_s is None:
+            self._start_s = now_s
+        self._watch(now_s)
+        done = self._done()
+        for hint in left:
+            if hint.name == done:
+                self._remember(hint)
+        for hint in left:
+            if hint.name != done and self._is_moment(hint, now_s):
+                self._toy.notices.say(hint.words)
+                self._last_s = now_s
+                self._remember(hint)
+                return
+
+    def _watch(self, now_s):
+        """Note since when the sand has been at rest."""
+        if not self._toy.session.settled:
+            self._still_since_s = None
+        elif self._still_since_s is None:
+            self._still_since_s = now_s
+
+    def _done(self):
+        """Return the name of the hint that an act since the last look made needless, or None.
+
+        What was done already in a session that has just been opened, such as a replay, is not the player's doing.
+        """
+        timeline = self._toy.session.timeline
+        before, self._before = self._before, (timeline, timeline.history.line)
+        if before[0] is not timeline or before[1] is timeline.history.line:
+            return None
+        match timeline.history.line.action:
+            case Flip():
+                return "flip"
+            case SetRule():
+                return "p"
+            case Paint() | Draw() | Fill():
+                return "paint"
+        return None
+
+    def _is_moment(self, hint, now_s):
+        toy = self._toy
+        if toy.page or toy.notices.shown or toy.can_leave_session or now_s - self._start_s < hint.after_s:
+            return False
+        if self._last_s is not None and now_s - self._last_s < APART_S:
+            return False
+        rests = self._still_since_s is not None and now_s - self._still_since_s > STILL_S
+        return hint.name != "flip" or (rests and toy.session.world.grains > 0)
+
+    def _remember(self, hint):
+        settings = self._toy.settings
+        settings["hints_seen"] = (*settings["hints_seen"], hint.name)

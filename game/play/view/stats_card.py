@@ -1,0 +1,114 @@
+"""The figures: what the line under the sand leaves out, while the pointer rests on it, or until a click on it."""
+
+import pygame
+
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+from game.play.ui.card import draw_box
+from game.play.ui.tooltips import LATER_S
+from game.play.view.status_line import counted
+from game.world.sessions.session import BUDGET_NS
+from game.world.sessions.snapshots import MEGABYTE
+
+WIDTH = 400  # pixels at scale 1
+PAD = 10
+AWAY = 10  # from the lower left corner of the sand
+BUSY = "frames came late, for this computer was busy with something else"
+FULL = "the sand takes all the time that frames have"
+
+
+class Figures:
+    """The card in the lower left corner of the sand."""
+
+    def __init__(self, toy):
+        self._toy = toy
+        self.kept = False  # open without the pointer
+        self._since_s = None  # since when the pointer rests on the line
+        self._pointed = False  # for long enough
+        self._reading, self.lines = None, ()
+
+    @property
+    def shown(self):
+        """Whether the card is there."""
+        return bool(self.lines)
+
+    @property
+    def height(self):
+        """How many pixels it takes of the sand's lower edge."""
+        theme = self._toy.theme
+        if not self.shown:
+            return 0
+        return len(self._rows()) * theme.line_height(look.SMALL) + 2 * theme.px(PAD) + theme.px(AWAY)
+
+    def toggle(self):
+        """Keep the card open, or close it."""
+        self.kept, self._since_s, self._pointed = not self.kept, None, False
+
+    def follow(self, pointer, now_s):
+        """Note where the pointer is, in the window."""
+        here = pointer is not None and self._toy.layout.hud.collidepoint(pointer)
+        if not here:
+            self._since_s, self._pointed = None, False
+        elif self._since_s is None:
+            self._since_s = now_s
+        elif now_s - self._since_s >= LATER_S:
+            self._pointed = True
+
+    def look(self, now_s):
+        """Write the lines anew, if there are new figures or nobody wants any."""
+        wanted, reading = self.kept or self._pointed, self._toy.hud.gauge.reading
+        if wanted and (not self.lines or reading is not self._reading):
+            lines, self._reading = tuple(self._write(reading)), reading
+        else:
+            lines = self.lines if wanted else ()
+        if lines != self.lines:
+            self.lines = lines
+            self._toy.refresh()
+
+    def listen(self, events, now_s, mouse_pos):
+        """Leave all events to others."""
+        return events
+
+    def draw(self, surface, theme, area):
+        """Draw the card; return the rects that it covers."""
+        px, line, rows = theme.px, theme.line_height(look.SMALL), self._rows()
+        wide = max(theme.width(row, look.SMALL) for row in rows) + 2 * px(PAD)
+        high = line * len(rows) + 2 * px(PAD)
+        rect = pygame.Rect(area.x + px(AWAY), area.bottom - px(AWAY) - high, wide, high)
+        covered = draw_box(surface, theme, rect.inflate(-2 * px(5), -2 * px(5)))
+        for number, row in enumerate(rows):
+            place = (rect.x + px(PAD), rect.y + px(PAD) + number * line, wide - 2 * px(PAD), line)
+            draw_list.words(surface, theme, place, row, look.SMALL, look.TEXT, 0)
+        return covered
+
+    def _rows(self):
+        """Return the lines broken to fit the sand's part of the window."""
+        theme = self._toy.theme
+        room = min(theme.px(WIDTH), self._toy.layout.sand.width - 2 * theme.px(AWAY)) - 2 * theme.px(PAD)
+        return [row for line in self.lines for row in theme.lines(line, look.SMALL, room)]
+
+    def _write(self, reading):
+        session = self._toy.session
+        if reading:
+            work = f"{reading.frame_ms:.1f} of {BUDGET_NS / 1e6:.0f} ms of work each"
+            yield f"{reading.frames_per_second:.0f} frames a second, {work}"
+            yield _told(reading, session)
+            yield _books(self._toy.hud)
+        known = f" of {session.reached:,} that are known" if session.now < session.reached else ""
+        yield f"Iteration {session.now:,}{known}"
+        yield f"The past takes {session.past_bytes / MEGABYTE:.1f} of {session.memory_mb:,.0f} MB"
+
+
+def _books(hud):
+    """Return the books of the grains that the line tells of."""
+    books = " ".join(f"{sign} {grains:,} {word}".strip() for sign, word, grains in hud.account.lines)
+    return f"Grains: {books}" + ("" if hud.grains == hud.account.expected else f", but there are {hud.grains:,}")
+
+
+def _told(reading, session):
+    """Return how fast the sand runs, and why it is not faster."""
+    if session.paused:
+        return "Paused"
+    if reading.done >= reading.due:
+        return f"{counted(reading.done, 'iteration')} a second"
+    return f"{reading.done:,.0f} of {reading.due:,.0f} iterations a second: {FULL if reading.full else BUSY}"

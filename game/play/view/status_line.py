@@ -1,0 +1,83 @@
+"""The HUD: one calm line under the sand that says how fast it runs and how many grains there are."""
+
+import pygame
+
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+from game.play.view.frame_stats import Gauge
+
+HEIGHT = 30  # pixels at scale 1
+GAP = "    "
+KEY = "F1  all keys"
+NEAR = 0.05  # a speed that differs less from the one that is set is shown as that: the line keeps still
+
+
+class Hud:
+    """Gathers what frames took and says what matters of it; Figures tells the rest."""
+
+    def __init__(self, theme):
+        self.theme = theme
+        self.gauge = Gauge()
+        self._pace = self._grains = ""
+        self.account, self.grains = None, 0  # the books and the grains at the latest reading
+        self._alarm = False  # something is to be noticed
+
+    def count(self, frame, session, now_s):
+        """Take in one Frame of `session` at time now_s."""
+        if self.gauge.count(frame, now_s):
+            now, books = session.world.grains_by_colour, session.account.expected_by_colour
+            self.account, self.grains = session.account, sum(now)
+            self._pace, self._grains = _pace(self.gauge.reading, session), _grains(now, books)
+            self._alarm = (self.gauge.reading.full and not session.paused) or now != books
+
+    def drawing(self, rect, session, said="", aside=""):
+        """Return the strokes of the line in `rect`: a value that changes only when the line does.
+
+        said: goes first, and is to be noticed. aside: goes first where nothing is said.
+        """
+        px = self.theme.px
+        words = pygame.Rect(rect).inflate(-2 * px(12), 0)
+        first = [said or aside] if said or aside else []
+        if session.now < session.reached:
+            first.append(f"Iteration {session.now:,} of {session.reached:,}")
+        text = self._fitting(first, "Paused" if session.paused else self._pace, words.width)
+        colour = look.ACCENT if said or self._alarm else look.DIM
+        line = [
+            (draw_list.fill, tuple(rect), look.SUNKEN),
+            (draw_list.words, tuple(words), text, look.SMALL, colour, 0),
+        ]
+        if self.theme.width(text, look.SMALL) + px(24) + self.theme.width(KEY, look.SMALL) <= words.width:
+            line.append((draw_list.words, tuple(words), KEY, look.SMALL, look.FAINT, 1))
+        return line
+
+    def _fitting(self, first, pace, room):
+        """Return as much of the line as there is room for."""
+        if self.gauge.reading is None:
+            return GAP.join(first)
+        lines = [GAP.join(each) for each in ([*first, pace, self._grains], [*first, pace], first) if each]
+        return next((line for line in lines if self.theme.width(line, look.SMALL) <= room), lines[-1])
+
+
+def _pace(reading, session):
+    """Return how fast the sand runs, in words."""
+    if session.settled:
+        return "The sand is at rest"
+    if reading.full:
+        return f"{reading.done:,.0f} of {reading.due:,.0f} iterations a second, all that this computer can do"
+    speed = session.clock.speed
+    near = abs(reading.done - speed) <= max(NEAR * speed, 1 / reading.seconds)
+    return counted(speed if near else reading.done, "iteration") + " a second"
+
+
+def _grains(now, books):
+    """Return how many grains there are, and what is wrong where the books, by colour like them, tell of others."""
+    said = counted(sum(now), "grain")
+    if now == books:
+        return said
+    return f"{said}, but {sum(books):,} on the books" if sum(now) != sum(books) else f"{said}, of wrong colours"
+
+
+def counted(number, what):
+    """Return '1 grain', '2,000 grains', '1.5 iterations'."""
+    digits = f"{number:,.0f}" if number >= 10 or number == round(number) else f"{number:.2g}"
+    return f"{digits} {what}{'' if digits == '1' else 's'}"

@@ -1,0 +1,206 @@
+"""The window: opening it, its size, its pixels, and showing them by the cheapest way this machine has."""
+
+import gc
+import os
+import statistics
+import sys
+import time
+import warnings
+from contextlib import suppress
+from functools import cache
+
+import numpy as np
+import pygame
+
+from game.play.window import icon
+
+SMALLEST = (640, 480)
+LEAST_SURFACE = (320, 240)  # where a window is made smaller all the same, what it cannot show is drawn beside it
+ROOM_FOR_DECORATION = (24, 80)  # of the desktop, left to the title bar and panels of others
+SWITCH_S = 1.0  # within which the window is where it goes for full screen, or from there
+SLOW_FLIP_MS = 3.0  # a flip that takes longer goes through software OpenGL: writing to the window is far cheaper
+TITLE = "Sandglass"
+NAME = "sandglass"
+INVISIBLE = ("offscreen", "dummy")  # drivers that SDL falls back on where there is no screen
+
+
+class NoDisplayError(Exception):
+    """There is no display to open a window on."""
+
+
+class Window:
+    """The one window, resizable, with 32-bit pixels."""
+
+    def __init__(self, size, fullscreen=False):
+        """Open a window of `size` (width, height) in pixels, or what of it fits the desktop.
+
+        Raises NoDisplayError if there is no display.
+        """
+        self._title, self._beside = TITLE, None
+        self._pointer = self._left = None  # where pointer and window were on the desktop when it was to change its size
+        self._since_s = 0.0  # when that was
+        try:
+            _start_display()
+            self._windowed_size = self._fitting(size)
+            self.fullscreen = fullscreen
+            self._open()
+            self._avoid_slow_flips()
+        except pygame.error as error:
+            raise NoDisplayError(str(error)) from None
+        pygame.key.set_repeat(350, 40)
+
+    @property
+    def surface(self):
+        """The window's pixels, as pygame draws on them.
+
+        Of a window smaller than LEAST_SURFACE they are those that it shows a part of: nothing that draws lacks room.
+        """
+        shown = pygame.display.get_surface()
+        size = tuple(max(sides) for sides in zip(shown.get_size(), LEAST_SURFACE, strict=True))
+        if size == shown.get_size():
+            self._beside = None
+            return shown
+        if self._beside is None or self._beside.get_size() != size:
+            self._beside = pygame.Surface(size, 0, shown)
+        return self._beside
+
+    @property
+    def size(self):
+        """(width, height) of `surface` in pixels."""
+        return self.surface.get_size()
+
+    @property
+    def map_rgb(self):
+        """A function of red, green, blue that gives a pixel: the same one as long as pixels hold them alike."""
+        return _mapper(self.surface.get_shifts()[:3])
+
+    def toggle_fullscreen(self):
+        """Fill the screen, or go back to the window as it was."""
+        self.fullscreen = not self.fullscreen
+        self._pointer, self._left = _on_desktop(pygame.mouse.get_pos()), pygame.display.get_window_position()
+        self._since_s = time.monotonic()
+        window = _of_sdl()
+        if self.fullscreen:
+            window.set_fullscreen(True)  # as the desktop is; SDL knows where the window was and how large
+        else:
+            window.set_windowed()
+
+    def find_pointer(self):
+        """Keep the pointer where it was once the window went elsewhere under it: X11 tells that only when it moves."""
+        if self._pointer is None:
+            return
+        place = pygame.display.get_window_position()
+        if time.monotonic() - self._since_s > SWITCH_S:
+            self._pointer = None
+        elif place != self._left:
+            x, y = (of_pointer - of_window for of_pointer, of_window in zip(self._pointer, place, strict=True))
+            pygame.mouse.set_pos(x - 1, y)  # where it is already, nothing is told
+            pygame.mouse.set_pos(x, y)
+            self._pointer = None
+
+    def set_title(self, title):
+        """Show a title, also while the window is minimised."""
+        if title != self._title:
+            self._title = title
+            pygame.display.set_caption(title)
+
+    def paint(self, draw):
+        """Call `draw` with the window's pixels: an (h, w) uint32 array over the surface, valid only during the call."""
+        draw(self._pixels())
+        if self.surface.get_locked():
+            gc.collect()  # a kernel that was compiled meanwhile left a cycle behind that holds the pixels
+
+    def _pixels(self):
+        surface = self.surface
+        return np.frombuffer(surface.get_buffer(), np.uint32).reshape(surface.get_height(), surface.get_pitch() // 4)
+
+    def show(self, rects=None):
+        """Bring what was drawn in `rects`, or anywhere, to the screen."""
+        if self._beside and rects != []:
+            pygame.display.get_surface().blit(self._beside, (0, 0))
+            rects = None
+        if rects is None:
+            pygame.display.flip()
+        elif rects:
+            pygame.display.update(rects)
+
+    def _open(self):
+        pygame.display.set_icon(icon.load())
+        pygame.display.set_mode(self._windowed_size, pygame.RESIZABLE, 32)
+        pygame.display.set_caption(self._title)
+        with suppress(AttributeError, pygame.error):  # not all window managers keep to it
+            _of_sdl().minimum_size = SMALLEST
+        if self.fullscreen:
+            _of_sdl().set_fullscreen(True)
+            pygame.event.pump()  # the pixels are as many as the screen's from here on
+
+    def _fitting(self, size):
+        room = room_on(pygame.display.get_desktop_sizes()[0])
+        return tuple(min(max(side, least), most) for side, least, most in zip(size, SMALLEST, room, strict=True))
+
+    def _avoid_slow_flips(self):
+        """Reopen an X11 window without acceleration where that has to be emulated, unless the user decided it."""
+        if pygame.display.get_driver() != "x11" or "SDL_FRAMEBUFFER_ACCELERATION" in os.environ:
+            return
+        self.show()
+        if statistics.median(self._flip_ms() for _ in range(5)) < SLOW_FLIP_MS:
+            return
+        os.environ["SDL_FRAMEBUFFER_ACCELERATION"] = "0"
+        pygame.display.quit()
+        pygame.display.init()
+        self._open()
+
+    def _flip_ms(self):
+        start = time.perf_counter()
+        self.show()
+        return (time.perf_counter() - start) * 1e3
+
+
+def _on_desktop(place):
+    """Return where a place in the window is on the desktop, or None where the pointer is not in it or that is known."""
+    if pygame.display.get_driver() != "x11" or not pygame.mouse.get_focused():
+        return None
+    return tuple(sum(sides) for sides in zip(place, pygame.display.get_window_position(), strict=True))
+
+
+def _of_sdl():
+    """Return the window as SDL knows it: pygame has no other way to it yet, and says that this one will go.
+
+    To open another in its place would lose its size to some window managers.
+    """
+    with warnings.catch_warnings(action="ignore", category=DeprecationWarning):
+        return pygame.Window.from_display_module()
+
+
+@cache
+def _mapper(shifts):
+    return lambda *colour: sum(part << shift for part, shift in zip(colour, shifts, strict=True))
+
+
+def desktop_size():
+    """Return the (width, height) in pixels of the desktop; raise NoDisplayError if there is none."""
+    try:
+        _start_display()
+        return pygame.display.get_desktop_sizes()[0]
+    except pygame.error as error:
+        raise NoDisplayError(str(error)) from None
+
+
+def room_on(desktop):
+    """Return the (width, height) in pixels that a desktop has for a window."""
+    sides = zip(SMALLEST, desktop, ROOM_FOR_DECORATION, strict=True)
+    return tuple(max(least, most - taken) for least, most, taken in sides)
+
+
+def _start_display():
+    """Start the display; refuse a driver that shows nothing unless the user asked for it by name."""
+    asked_for = os.environ.get("SDL_VIDEODRIVER")
+    os.environ.setdefault("SDL_WINDOWS_DPI_AWARENESS", "permonitorv2")  # else Windows stretches the window's pixels
+    os.environ.setdefault("SDL_VIDEO_X11_WMCLASS", NAME)  # by which a Linux desktop finds the icon
+    screens = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
+    if sys.platform == "linux" and not asked_for and not screens:
+        raise NoDisplayError("neither DISPLAY nor WAYLAND_DISPLAY is set")
+    pygame.display.init()
+    if pygame.display.get_driver() in INVISIBLE and asked_for not in INVISIBLE:
+        pygame.display.quit()
+        raise NoDisplayError("no screen was found")

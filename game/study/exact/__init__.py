@@ -1,0 +1,1 @@
+"""The sand against exact probabilities."""

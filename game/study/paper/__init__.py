@@ -1,0 +1,1 @@
+"""The sand against the paper."""

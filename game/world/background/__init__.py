@@ -1,0 +1,1 @@
+"""What is computed beside the window: forecasts and compiled kernels."""

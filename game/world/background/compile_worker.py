@@ -1,0 +1,87 @@
+"""The companion: a process that compiles kernels on another core, while the toy compiles others or already plays.
+
+A thread would not do: compiling holds the interpreter's lock, so that frames come late for as long as it lasts.
+"""
+
+import multiprocessing
+import sys
+import threading
+
+from game.core import jit
+from game.world.background import kernel_warmup
+
+
+class Companion:
+    """Runs `compile_all(tell, *needs)` in a process of its own; it sends something through `tell` after each step."""
+
+    def __init__(self, compile_all, *needs):
+        context = multiprocessing.get_context("spawn")
+        self._hear, tell = context.Pipe(duplex=False)
+        self._process = context.Process(target=compile_all, args=(tell, *needs), daemon=True)
+        self._process.start()
+        self._closed = False
+        tell.close()
+
+    def beside(self, steps):
+        """Return `steps`, the companion's, so that each first waits until it is compiled, and then only loads it."""
+        return [(what, lambda act=act: self._wait() and act()) for what, act in steps]
+
+    def close(self):
+        """End the process, and let go of who waits for it."""
+        self._closed = True
+        self._process.terminate()
+
+    def _wait(self):
+        """Wait until one more step is done, or the companion has ended: then who waited compiles for itself."""
+        try:
+            self._hear.recv()
+        except (EOFError, OSError):
+            self._process.join()
+        return not self._closed
+
+
+class Worker:
+    """Does steps in a thread of its own. It is to be stopped before the interpreter ends: the compiler would crash."""
+
+    def __init__(self, steps):
+        self.steps, self.done = steps, 0
+        self._stopped = False
+        self._thread = threading.Thread(target=self._work, daemon=True)
+        self._thread.start()
+
+    def wait(self, timeout_s):
+        """Wait for the end, but not longer than that; return whether it has come."""
+        self._thread.join(timeout_s)
+        return not self._thread.is_alive()
+
+    def stop(self):
+        """Leave the steps that have not begun, and wait for the one that has."""
+        self._stopped = True
+        self._thread.join()
+
+    def _work(self):
+        for _, act in self.steps:
+            if self._stopped:
+                return
+            act()
+            self.done += 1
+
+
+def steps_to_play(rule, walls, cell=1, coloured=False, fixtures=()):
+    """Return the steps (what, act) to do before the first frame, those after it, and the Companion or None.
+
+    `prepare` says what they are. While the cache is new, a companion compiles what comes after the kernels that move
+    sand.
+    """
+    own, later = kernel_warmup.moving_steps(rule, coloured, fixtures), kernel_warmup.later_steps(rule)
+    drawing, companion = kernel_warmup.drawing_steps(walls, cell, coloured), None
+    if jit.NEW and not getattr(sys, "frozen", False):
+        companion = Companion(_compile, rule, walls, cell, coloured)
+        drawing, later = companion.beside(drawing), companion.beside(later)
+    return own + drawing, later, companion
+
+
+def _compile(tell, rule, walls, cell, coloured):
+    for what, act in (*kernel_warmup.drawing_steps(walls, cell, coloured), *kernel_warmup.later_steps(rule)):
+        act()
+        tell.send(what)

@@ -1,0 +1,150 @@
+"""Makes kernels ready before they are needed: each is compiled by using it once on a world of a few cells."""
+
+import numpy as np
+
+from game.core import planes
+from game.core.draw.cells import draw_turned
+from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
+from game.world.background.forecast_thread import Question, answer_of
+from game.world.looks.heatmap_colours import cover
+from game.world.looks.motion_samples import Streams
+from game.world.looks.painter import Painter, rgb
+from game.world.looks.view import View
+from game.world.sand import fixtures as fixture
+from game.world.sand.advance import advance
+from game.world.sand.crop import Part, Still
+from game.world.sand.ensemble import growing_counts
+from game.world.sand.fixtures import DRAIN, TAP, Fixture
+from game.world.sand.measure import pile_heights
+from game.world.sand.rule import Rule
+from game.world.sand.world import World
+from game.world.sessions.action import Draw, Fill, Paint, Turn, apply
+
+CELLS = (1, 0.25)  # pixels to a cell: each is drawn in another way
+KINDS = {  # a rule for each kind of kernel
+    "sand that always moves": Rule(),
+    "sand that topples by chance": Rule.with_p(0.5),
+    "sand with seven probabilities": Rule(*[0.5] * 7),
+}
+
+
+def steps(rule, walls, cell=1, coloured=False, fixtures=()):
+    """Return [(what, act)], every kernel that showing a scene with `rule` needs; call each act to make it ready.
+
+    walls: what they are made of. cell: pixels to a cell. coloured: whether the sand has colours. fixtures: its
+    taps and drains.
+    """
+    return moving_steps(rule, coloured, fixtures) + drawing_steps(walls, cell, coloured)
+
+
+def moving_steps(rule, coloured=False, fixtures=()):
+    """Return the steps of `steps` that move sand."""
+    return [
+        *([("taps and drains", lambda: _flow(coloured))] if fixtures else []),
+        ("the layout of the cells", lambda: (_dot(coloured).sand, _dot(coloured).flip())),
+        (_kind_of(rule), lambda: advance(_dot(coloured), rule, 1)),
+    ]
+
+
+def drawing_steps(walls, cell=1, coloured=False):
+    """Return the steps of `steps` that draw."""
+    return [("drawing", lambda: _draw(walls, cell, coloured))]
+
+
+def later_steps(rule):
+    """Return [(what, act)] for the kernels that a player may need next."""
+    others = [(what, other) for what, other in KINDS.items() if what != _kind_of(rule)]
+    return [
+        ("the brush", _brush),
+        ("the turn of the glass", _turn),
+        ("the figures", _figures),
+        ("the eraser of fixtures", _eraser),
+        *(
+            (f"drawing {walls}", lambda walls=walls, cell=cell: _draw(walls, cell))
+            for walls in ("glass", "stone")
+            for cell in CELLS
+        ),
+        ("the forecast", _forecast),
+        ("the measures", lambda: pile_heights(_dot())),
+        ("the names of worlds", lambda: World.from_cells(*np.zeros((2, 66, 2), bool)).digest()),  # of two bands
+        ("the books of colours", lambda: _dot(coloured=True).grains_by_colour),
+        *((f"{what} of colours", act) for what, act in moving_steps(rule, coloured=True)),
+        *((f"drawing {walls} of colours", lambda walls=walls: _draw(walls, 1, True)) for walls in ("glass", "stone")),
+        ("the brush of colours", lambda: _brush(coloured=True)),
+        ("figures of colours", lambda: _figures(coloured=True)),
+    ] + [
+        (what, lambda other=other, coloured=coloured: advance(_dot(coloured), other, 1))
+        for coloured in (False, True)
+        for what, other in others
+    ]
+
+
+def _dot(coloured=False):
+    """Return a world of a few cells, made when asked for, since making one compiles the layout."""
+    sand = np.eye(2, dtype=bool)
+    sand.flags.writeable = False  # as those of scenes
+    walls = sand & False
+    walls.flags.writeable = False
+    return World.from_cells(sand, walls, colours=sand.astype(np.uint8) if coloured else None)
+
+
+def _bare(coloured):
+    """Return a world of 8×8 empty cells, made without compiling the layout."""
+    where = planes.layout(8, 8)
+    bits = planes.empty(where, planes.COLOURED_PLANES if coloured else planes.PLANES)
+    bits[:] = 0
+    return World(bits, where, 0, 0)
+
+
+def _draw(walls, cell, coloured=False):
+    world, streams = _bare(coloured), Streams()
+    for _ in range(2):
+        world.iteration += 1
+        streams.note(world)
+    side = 8 * min(cell, 1)  # more pixels than cells are drawn as one pixel for each is
+    painter = Painter(View(world.shape, 0, 0, side, side), walls=walls)
+    painter.draw(world, np.zeros((8, 8), np.uint32), streams=streams)
+
+
+def _turn():
+    picture = np.zeros((2, 2), np.uint32)
+    draw_turned(picture, 0, 1.0, 0.0, 1.0, picture.copy(), 0, 0, 2, 2)
+
+
+def _brush(coloured=False):
+    apply(Paint("sand", (0.0, 0.0), (1.0, 1.0), 1), _dot(coloured), Rule())
+
+
+def _figures(coloured=False):
+    for act in (Draw("ellipse", "sand", (0.5, 0.5), (1.5, 1.5)), Fill("sand", (0.5, 0.5)), Turn(1)):
+        apply(act, _dot(coloured), Rule())
+
+
+def _flow(coloured):
+    world = _dot(coloured)
+    world.fixtures = (Fixture(TAP, 0, 0), Fixture(DRAIN, 1, 1))
+    fixture.act(world)
+
+
+def _eraser():
+    for act in (Paint("erase", (0.0, 0.0), (1.0, 1.0), 1), Draw("rectangle", "erase", (0.5, 0.5), (1.5, 1.5))):
+        world = _dot()
+        world.fixtures = (Fixture(TAP, 0, 0),)
+        apply(act, world, Rule())
+
+
+def _forecast():
+    world, rule = _dot(), Rule.with_p(0.5)
+    still, places = Still(world, Part(0, 0, 2, 2)), np.arange(2, dtype=np.int32)
+    for runs, counts in growing_counts(*still.cells, rule, 1, runs=1):
+        answer = answer_of(Question(still, rule, 1, 0, 0, 1), world.walls, counts, runs)
+    mean_levels(answer.levels, places, places, np.zeros((1, 1), np.uint8))
+    lay_heat(answer.levels, covers_of(*cover(rgb)), places, places, np.zeros((2, 2), np.uint32), 0, 0)
+
+
+def _kind_of(rule):
+    if all(p == 1.0 for p in rule.probabilities):
+        return "sand that always moves"
+    if all(p == 1.0 for p in rule.probabilities[2:]):
+        return "sand that topples by chance"
+    return "sand with seven probabilities"

@@ -1,0 +1,76 @@
+"""Streams: the last few iterations of a world in play, kept so that falling sand can be drawn as their mean."""
+
+import time
+
+import numpy as np
+
+from game.core import planes as bit_planes
+from game.core.draw.motion_blur import PLANES, SAMPLES, take_sample
+
+FROM_SPEED = 120  # iterations per second: with fewer than two in a frame each one can be seen, and is to be
+MOST_CELLS = 2**22  # a larger lattice has no frame time to spare for it, and cells too small for its stripes to show
+SPARE = 0.05  # of a frame's budget: what a cycle of iterations may take beyond it
+NO_SAMPLES = np.empty((0, PLANES, 0), np.uint64)
+
+
+class Streams:
+    """Where the sand was in the last iterations of one world. It watches, and changes nothing."""
+
+    def __init__(self):
+        self.samples = NO_SAMPLES  # (SAMPLES, PLANES, length) uint64
+        self.forget()
+
+    def forget(self):
+        """Take the sand from now on as having always been where it is."""
+        self._world, self._iteration, self._stamp = None, -1, 0
+        self.moving = np.zeros(0, np.uint8)  # for each band: in how many samples more it may differ from the others
+
+    @staticmethod
+    def are_worth(shape, speed):
+        """Return whether a lattice of that shape, at so many iterations per second, looks better for it."""
+        return speed >= FROM_SPEED and shape[0] * shape[1] <= MOST_CELLS
+
+    def follows(self, world):
+        """Return whether the samples lead up to this moment of the world."""
+        return self._knows(world) and world.iteration == self._iteration
+
+    def run(self, timeline, iterations, budget_ns=None):
+        """Run the timeline as its `run` does, with a sample taken after each of the last iterations.
+
+        Where the budget cuts the run short, the last ones are run beyond it if they take next to nothing.
+        """
+        start = time.perf_counter_ns()
+        together = max(0, iterations - SAMPLES)
+        done = timeline.run(together, budget_ns) if together else 0
+        last = min(iterations, done + SAMPLES)
+        while done < last:
+            spent_ns = time.perf_counter_ns() - start
+            late = budget_ns is not None and spent_ns >= budget_ns
+            if late and done and SAMPLES * spent_ns > SPARE * budget_ns * done:
+                break
+            done += timeline.run(1)
+            self.note(timeline.moment.world)
+        return done
+
+    def note(self, world):
+        """Take a sample of a world that has just run an iteration."""
+        activity, where = world.activity, world.layout
+        if not self._knows(world) or world.iteration != self._iteration + 1:
+            self._begin(world)
+        else:
+            sample, band_words = self.samples[world.iteration % SAMPLES], activity.band_rows * where.stride
+            stamps = activity.changed, self._stamp
+            take_sample(world.planes, sample, self.moving, *stamps, band_words, where.stride, where.length)
+        self._stamp, self._iteration = activity.stamp, world.iteration
+
+    def _knows(self, world):
+        """Return whether the world is the one that was watched, and was not turned over or cleared since."""
+        return world is self._world and world.activity.remade <= self._stamp
+
+    def _begin(self, world):
+        """Take all samples to be what the world is now."""
+        if self.samples.shape[2:] != (world.layout.length,):
+            self.samples = bit_planes.empty(world.layout, SAMPLES * PLANES).reshape(SAMPLES, PLANES, -1)
+        self.samples[:] = world.planes[bit_planes.SAND : bit_planes.SAND + PLANES]
+        self.moving = np.zeros(len(world.activity.changed), np.uint8)
+        self._world = world

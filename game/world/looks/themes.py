@@ -1,0 +1,293 @@
+"""Themes: which colours the window and the sand have, as values. No window is needed."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from game.core.draw.cells import (
+    AIR,
+    AIR_BY_WALL,
+    DYED_LOOKS,
+    EDGE,
+    GLEAM,
+    GRAIN,
+    GRAIN_BY_WALL,
+    INSIDE,
+    INSIDE_BY_WALL,
+    LOOKS,
+    POST,
+    RIM,
+    SHADES,
+    SURFACE,
+    UNDER,
+    WALL,
+    WOOD,
+    WOOD_EDGE,
+    WOOD_RIM,
+    dyed,
+)
+from game.core.planes import DEPTH
+
+LIGHT_ON_SAND = {  # by what the darkest and the lightest shade of dyed sand differ from its mean
+    GRAIN: (-0.06, 0.07),
+    SURFACE: (0.32, 0.44),
+    UNDER: (0.12, 0.2),
+    GRAIN_BY_WALL: (-0.2, -0.11),
+}
+WALL_LOOKS = ("stone", "glass", "wood")  # what a scene's walls can be made of; in glass its long level runs are wooden
+
+
+class Range(NamedTuple):
+    """The darkest and the lightest shade of a look, as RGB in 0 … 255."""
+
+    dark: tuple
+    light: tuple
+
+
+class Walls(NamedTuple):
+    """The look of one kind of walls."""
+
+    body: Range
+    rim: Range  # where light falls on it
+    edge: Range  # where none does
+
+
+class Colours(NamedTuple):
+    """The colours of a theme, RGB in 0 … 255."""
+
+    name: str
+    ground: tuple  # around the lattice
+    air: dict  # {look: Range} of what is neither sand nor wall
+    sand: dict  # {look: Range}
+    stream: int  # the look of sand that falls: it is to be seen before air, even where it is thin
+    walls: dict  # {one of WALL_LOOKS: Walls}
+    panel: dict  # {role: RGB} of the controls and the words
+    dyes: tuple  # the means of sand of the colours but the first, in the order of `dyes.COLOURS`
+
+    def __hash__(self):
+        return hash(self.name)
+
+    def looks(self, walls="stone"):
+        """Return {look: Range} of all looks in a scene whose walls are made of `walls`."""
+        made_of, wood = self.walls[walls], self.walls["wood"]
+        return {
+            **self.air,
+            **self.sand,
+            **dict(zip((WALL, RIM, EDGE), made_of, strict=True)),
+            **dict(zip((WOOD, WOOD_RIM, WOOD_EDGE), wood, strict=True)),
+        }
+
+    def mean(self, look, walls="stone"):
+        """Return the mean colour of a look, RGB as floats: what many cells of it look like from afar."""
+        dark, light = self.looks(walls)[look]
+        return tuple((d + bright) / 2 for d, bright in zip(dark, light, strict=True))
+
+    def dye(self, number):
+        """Return {look: Range} of sand of a colour, by its number: what its mean makes of amber's light and shadow."""
+        if number == 0:
+            return self.sand
+        grain = self.dyes[number - 1]
+        return {look: Range(*(_lit(grain, by) for by in LIGHT_ON_SAND[look])) for look in self.sand}
+
+    def mean_of(self, number, look):
+        """Return the mean colour of a look of sand of a colour, RGB as floats."""
+        return tuple((dark + light) / 2 for dark, light in zip(*self.dye(number)[look], strict=True))
+
+
+def _lit(colour, by):
+    """Return a colour made darker by a part of it (below 0), or by so much nearer to white."""
+    return tuple(round(part + (by * (255 - part) if by > 0 else by * part)) for part in colour)
+
+
+def rgb(red, green, blue):
+    """Return the pixel value 0xRRGGBB."""
+    return red << 16 | green << 8 | blue
+
+
+def palette(colours, walls="stone", map_rgb=rgb):
+    """Return the (LOOKS, SHADES) uint32 pixel values, `map_rgb` turning red, green, blue in 0 … 255 into one."""
+    values = np.empty((LOOKS, SHADES), np.uint32)
+    for look, (dark, light) in sorted(colours.looks(walls).items()):
+        values[look] = _shades(dark, light, map_rgb)
+    return values
+
+
+def _shades(dark, light, map_rgb):
+    """Return SHADES pixel values from dark to light."""
+    parts = [[d + (b - d) * shade // (SHADES - 1) for d, b in zip(dark, light, strict=True)] for shade in range(SHADES)]
+    return [map_rgb(*each) for each in parts]
+
+
+def dyed_palette(colours, walls="stone", map_rgb=rgb):
+    """Return the (DYED_LOOKS, SHADES) uint32 pixel values of a world with colours, as `palette` does; 0 is no look."""
+    plain, values = colours.looks(walls), np.zeros((DYED_LOOKS, SHADES), np.uint32)
+    ranges = {look: plain[look] for look in sorted(plain.keys() - colours.sand.keys())}
+    for number in range(2**DEPTH):
+        ranges |= {dyed(look)[number]: each for look, each in colours.dye(number).items()}
+    for look, (dark, light) in ranges.items():
+        values[look] = _shades(dark, light, map_rgb)
+    return values
+
+
+def _flat(*colour):
+    return Range(colour, colour)
+
+
+NIGHT = Colours(
+    name="night",
+    ground=(24, 21, 18),
+    air={
+        AIR: _flat(34, 30, 26),
+        AIR_BY_WALL: _flat(26, 23, 20),
+        INSIDE: _flat(40, 39, 37),
+        INSIDE_BY_WALL: _flat(31, 31, 30),
+        GLEAM: _flat(53, 55, 56),
+        POST: Range((70, 45, 31), (78, 51, 35)),
+    },
+    sand={
+        GRAIN: Range((194, 140, 62), (222, 171, 88)),
+        SURFACE: Range((246, 206, 126), (255, 226, 154)),
+        UNDER: Range((220, 168, 86), (238, 194, 110)),
+        GRAIN_BY_WALL: Range((168, 118, 49), (190, 138, 64)),
+    },
+    stream=SURFACE,
+    walls={
+        "stone": Walls(Range((92, 97, 98), (104, 109, 110)), _flat(130, 136, 137), _flat(70, 74, 75)),
+        "glass": Walls(_flat(74, 86, 90), _flat(128, 150, 155), _flat(100, 119, 124)),
+        "wood": Walls(Range((96, 59, 39), (110, 69, 46)), _flat(136, 90, 62), _flat(74, 46, 31)),
+    },
+    # kept darker than the sand, which is to be the brightest thing on the screen
+    panel={
+        "ground": (38, 34, 30),
+        "raised": (60, 54, 47),
+        "hover": (70, 63, 55),
+        "pressed": (50, 45, 39),
+        "groove": (68, 61, 54),
+        "sunken": (29, 26, 23),
+        "edge": (92, 83, 72),
+        "text": (228, 219, 203),
+        "dim": (188, 177, 161),
+        "faint": (182, 171, 156),
+        "accent": (210, 156, 68),
+        "bright accent": (228, 178, 92),
+        "handle": (240, 216, 164),
+        "bright handle": (252, 236, 200),
+        "stone": (112, 103, 92),
+        "ring": (116, 172, 220),
+    },
+    dyes=(
+        (199, 106, 82),
+        (244, 180, 198),
+        (129, 87, 140),
+        (99, 119, 198),
+        (99, 180, 155),
+        (168, 192, 138),
+        (240, 229, 203),
+    ),
+)
+
+DAY = Colours(
+    name="day",
+    ground=(222, 214, 200),
+    air={
+        AIR: _flat(239, 233, 221),
+        AIR_BY_WALL: _flat(222, 214, 200),
+        INSIDE: _flat(246, 243, 236),
+        INSIDE_BY_WALL: _flat(226, 223, 216),
+        GLEAM: _flat(255, 255, 253),
+        POST: Range((158, 126, 102), (166, 133, 108)),
+    },
+    sand={
+        GRAIN: Range((190, 118, 30), (214, 144, 52)),
+        SURFACE: Range((232, 166, 66), (243, 184, 88)),
+        UNDER: Range((212, 142, 48), (228, 160, 66)),
+        GRAIN_BY_WALL: Range((166, 102, 24), (186, 120, 40)),
+    },
+    stream=GRAIN_BY_WALL,
+    walls={
+        "stone": Walls(Range((112, 116, 118), (122, 126, 128)), _flat(150, 154, 156), _flat(84, 88, 90)),
+        "glass": Walls(_flat(178, 200, 206), _flat(104, 136, 146), _flat(134, 162, 170)),
+        "wood": Walls(Range((98, 61, 38), (110, 70, 45)), _flat(130, 86, 58), _flat(70, 42, 25)),
+    },
+    panel={
+        "ground": (243, 238, 229),
+        "raised": (226, 218, 204),
+        "hover": (214, 204, 188),
+        "pressed": (234, 228, 216),
+        "groove": (208, 198, 182),
+        "sunken": (252, 249, 243),
+        "edge": (168, 156, 138),
+        "text": (48, 42, 35),
+        "dim": (86, 77, 66),
+        "faint": (92, 82, 70),
+        "accent": (140, 80, 8),
+        "bright accent": (124, 68, 2),
+        "handle": (108, 60, 4),
+        "bright handle": (92, 52, 4),
+        "stone": (132, 122, 108),
+        "ring": (24, 102, 176),
+    },
+    dyes=(
+        (141, 57, 12),
+        (230, 153, 149),
+        (102, 23, 93),
+        (55, 73, 148),
+        (12, 153, 181),
+        (117, 120, 41),
+        (229, 200, 142),
+    ),
+)
+
+HIGH_CONTRAST = Colours(
+    name="high-contrast",
+    ground=(0, 0, 0),
+    air={
+        AIR: _flat(0, 0, 0),
+        AIR_BY_WALL: _flat(0, 0, 0),
+        INSIDE: _flat(10, 12, 20),
+        INSIDE_BY_WALL: _flat(0, 0, 0),
+        GLEAM: _flat(38, 44, 58),
+        POST: _flat(88, 52, 28),
+    },
+    sand={
+        GRAIN: Range((240, 178, 40), (255, 200, 70)),
+        SURFACE: _flat(255, 240, 170),
+        UNDER: Range((250, 205, 80), (255, 220, 110)),
+        GRAIN_BY_WALL: Range((214, 146, 20), (230, 164, 34)),
+    },
+    stream=SURFACE,
+    walls={
+        "stone": Walls(_flat(112, 124, 148), _flat(186, 198, 222), _flat(84, 94, 116)),
+        "glass": Walls(_flat(48, 82, 120), _flat(170, 214, 255), _flat(108, 160, 216)),
+        "wood": Walls(_flat(136, 84, 48), _flat(176, 112, 74), _flat(96, 58, 32)),
+    },
+    panel={
+        "ground": (0, 0, 0),
+        "raised": (34, 34, 34),
+        "hover": (62, 62, 62),
+        "pressed": (20, 20, 20),
+        "groove": (70, 70, 70),
+        "sunken": (12, 12, 12),
+        "edge": (190, 190, 190),
+        "text": (255, 255, 255),
+        "dim": (224, 224, 224),
+        "faint": (200, 200, 200),
+        "accent": (255, 190, 50),
+        "bright accent": (255, 214, 110),
+        "handle": (255, 236, 180),
+        "bright handle": (255, 255, 255),
+        "stone": (140, 150, 170),
+        "ring": (90, 200, 255),
+    },
+    dyes=(
+        (185, 71, 92),
+        (252, 138, 149),
+        (151, 80, 172),
+        (117, 124, 237),
+        (98, 207, 185),
+        (147, 171, 83),
+        (255, 250, 235),
+    ),
+)
+
+THEMES = {colours.name: colours for colours in (NIGHT, DAY, HIGH_CONTRAST)}

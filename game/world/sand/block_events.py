@@ -1,0 +1,80 @@
+"""Blocks: what each block of an iteration can do, by plain numpy over a part of the lattice."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from game.world.sand.crop import Still
+
+# Grains that move together, each from one corner of the block to another: (row, column) of both.
+FALL_LEFT, FALL_RIGHT, FALL_PAIR, TOPPLE_RIGHT, TOPPLE_LEFT = range(5)
+MOVES = (
+    (((0, 0), (1, 0)),),
+    (((0, 1), (1, 1)),),
+    (((0, 0), (1, 0)), ((0, 1), (1, 1))),
+    (((0, 0), (1, 1)),),
+    (((0, 1), (1, 0)),),
+)
+
+
+class Events(NamedTuple):
+    """What can happen in some blocks: one entry of each array a block."""
+
+    rows: np.ndarray  # int64, the lattice row of the block's upper left corner
+    columns: np.ndarray
+    moves: np.ndarray  # int64, places in MOVES
+    chances: np.ndarray  # float64, 0 < p ≤ 1
+
+    def only(self, which):
+        """Return the events that a bool array picks."""
+        return Events(*(each[which] for each in self))
+
+
+def offset(world, rule):
+    """Return the (x, y) of the first block of the partition that the coming iteration uses."""
+    return rule.offsets[world.iteration % len(rule.offsets)]
+
+
+def coming_events(world, rule, part):
+    """Return the Events of the coming iteration in the blocks that lie in a Part of the lattice, be it by a corner."""
+    part = part.grown(2, world.shape)
+    x, y = offset(world, rule)
+    sand, walls = Still(world, part).cells
+    bottom, right = part.top + part.height, part.left + part.width
+    outside = (0, bottom == world.shape[0]), (0, right == world.shape[1])
+    sand, walls = np.pad(sand, outside), np.pad(walls, outside, constant_values=True)
+    a, b, _, _ = _corners(sand, x, y)
+    oa, ob, oc, od = _corners(sand | walls, x, y)
+    left, right = a & ~oc, b & ~od
+    right_topple, left_topple = a & oc & ~ob & ~od, b & od & ~oa & ~oc
+    moves = np.select([left & right, left, right, right_topple], [FALL_PAIR, FALL_LEFT, FALL_RIGHT, TOPPLE_RIGHT], -1)
+    moves[left_topple] = TOPPLE_LEFT
+    kinds = [  # of two that are true the first one counts
+        ((left & ~ob & ~od) | (right & ~oa & ~oc), 1.0),
+        ((left & ob & ~od) | (right & oa & ~oc), rule.fall_pair),
+        (left & ~ob, rule.fall_low_left),
+        (right & ~oa, rule.fall_low_right),
+        (left, rule.fall_full_left),
+        (right, rule.fall_full_right),
+        (right_topple, rule.topple_right),
+        (left_topple, rule.topple_left),
+    ]
+    chances = np.select(*zip(*kinds, strict=True))
+    rows, columns = np.nonzero((moves >= 0) & (chances > 0))
+    found = rows, columns
+    return Events(part.top + y + 2 * rows, part.left + x + 2 * columns, moves[found], chances[found])
+
+
+def happened(events, world, part):
+    """Return which of the events, told before the last iteration for a Part, have come about: a bool array."""
+    part = part.grown(2, world.shape)
+    sand, _ = Still(world, part).cells
+    first = np.array([move[0][0] for move in MOVES])[events.moves]
+    return ~sand[events.rows - part.top + first[:, 0], events.columns - part.left + first[:, 1]]
+
+
+def _corners(cells, x, y):
+    """Return the corners a b c d of all whole blocks from (x, y) on."""
+    height, width = (cells.shape[0] - y) // 2 * 2, (cells.shape[1] - x) // 2 * 2
+    cells = cells[y : y + height, x : x + width]
+    return cells[::2, ::2], cells[::2, 1::2], cells[1::2, ::2], cells[1::2, 1::2]

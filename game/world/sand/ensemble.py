@@ -1,0 +1,184 @@
+"""Forecasts: where sand will be, from many independent runs that start alike.
+
+Runs are replicas of one lattice, moved in groups so that memory is bounded. What a run does is a function of the seed
+and of its own number: neither groups nor threads nor progress change a bit. The interpreter lock is released meanwhile.
+"""
+
+from functools import lru_cache
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from game.core.chance import CERTAIN, chance_of, threshold
+from game.core.ensemble.block_visit import MOST_WORDS
+from game.core.ensemble.runs import BITS, advance_replicas, count_replicas, read_states, replicate
+from game.world.sand import parameters
+from game.world.sand.fixtures import act_on_replicas, pause
+from game.world.sand.rule import Rule
+from game.world.sand.world import check_cells
+
+GROUP_WORDS = 2**23  # words in a group's cells, 64 MiB; more is faster on large lattices, but slow to lay out
+FEW_WORDS = 8  # words in the first group of a forecast that grows: so much is cheaper by the run than less
+BITE = 15_000  # work between two looks at `cancelled`, 1-10 ms; less costs speed on small lattices
+STATE_CELLS = 64  # cells of a lattice whose state fits a word
+
+_MASK = 2**64 - 1
+_RUNS = parameters.RUNS.default
+
+
+class Cancelled(Exception):  # noqa: N818 (it is a wish granted, not an error)
+    """Raised by a forecast whose `cancelled` returned true; nothing is kept of it."""
+
+
+class Ensemble(NamedTuple):
+    """What all runs have in common."""
+
+    sand: np.ndarray  # (H, W) bool
+    walls: np.ndarray  # (H, W) bool
+    rule: Rule
+    runs: int
+    seed: int
+    start: int  # number of the first iteration: it picks the partition
+    fixtures: tuple = ()  # of Fixture, the same in all runs
+
+    @property
+    def weight(self):
+        """How many runs a replica stands for: all of them where nothing is left to chance."""
+        return self.runs if certain(self.rule) else 1
+
+
+def certain(rule):
+    """Return whether `rule` leaves nothing to chance, so that all runs are alike."""
+    return all(threshold(p) in (0, CERTAIN) for p in rule.probabilities)
+
+
+def density(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None, fixtures=()):
+    """Return the fraction of `runs` independent runs that have sand in each cell after `iterations`: (H, W) float64.
+
+    sand, walls: (H, W) bool, as `World.from_cells` takes them. start: the iteration the runs start at, as in
+    `world.iteration`. progress(done_runs), if given, is called with the work done so far, in runs, up to `runs`.
+    cancelled(), if given, is asked every few milliseconds; once it returns true, Cancelled is raised. fixtures: as in
+    `world.fixtures`, they act in every run. Raises ValueError for bad cells, for `runs` outside [1, 10**9] and for
+    other numbers out of range.
+    """
+    counts = counts_at(sand, walls, rule, [iterations], runs, seed, start, progress, cancelled, fixtures)
+    return counts[0] / runs
+
+
+def counts_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None, fixtures=()):
+    """Return how many runs have sand in each cell at each moment: (moments, H, W) int64, exact.
+
+    moments: iterations since the start, in rising order. The rest is as for `density`.
+    """
+    ensemble, moments = _checked(sand, walls, rule, runs, seed, start, fixtures), _checked_moments(moments)
+    counts = np.zeros((len(moments), *ensemble.sand.shape), np.int64)
+    for moment, _, group in _follow(ensemble, moments, progress, cancelled):
+        count_replicas(group.cells, ensemble.weight, counts[moment])
+    return counts
+
+
+def growing_counts(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, cancelled=None, fixtures=()):
+    """Yield (runs so far, how many of them have sand in each cell) after more and more runs, up to `runs`.
+
+    The counts are one (H, W) int64 array, added to in place: each time what `counts_at` gives for so many runs. The
+    rest is as for `density`.
+    """
+    ensemble, moments = _checked(sand, walls, rule, runs, seed, start, fixtures), _checked_moments([iterations])
+    counts = np.zeros(ensemble.sand.shape, np.int64)
+    for _, first, group in _follow(ensemble, moments, cancelled=cancelled, few=FEW_WORDS):
+        count_replicas(group.cells, ensemble.weight, counts)
+        yield min(ensemble.runs, ensemble.weight * (first + group.cells.shape[2] * BITS)), counts
+
+
+def states_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
+    """Return the state of each run at each moment: (moments, runs) uint64, where bit y·W + x is sand in cell (y, x).
+
+    The lattice has 64 cells at most, else ValueError is raised. The rest is as for `counts_at`.
+    """
+    ensemble, moments = _checked(sand, walls, rule, runs, seed, start), _checked_moments(moments)
+    if ensemble.sand.size > STATE_CELLS:
+        raise ValueError(f"states are of lattices of {STATE_CELLS} cells at most, got {ensemble.sand.size}")
+    states = np.empty((len(moments), ensemble.runs), np.uint64)
+    for moment, first, group in _follow(ensemble, moments, progress, cancelled):
+        if ensemble.weight > 1:
+            read_states(group.cells, states[moment, :1])
+            states[moment] = states[moment, 0]
+        else:
+            read_states(group.cells, states[moment, first : first + group.cells.shape[2] * BITS])
+    return states
+
+
+def _checked(sand, walls, rule, runs, seed, start, fixtures=()):
+    sand, walls = check_cells(sand, walls)
+    runs, seed, start = parameters.RUNS.check(runs), parameters.SEED.check(seed), parameters.START.check(start)
+    return Ensemble(sand, walls, rule, runs, seed, start, tuple(fixtures))
+
+
+def _checked_moments(moments):
+    moments = [parameters.ITERATIONS.check(moment) for moment in moments]
+    for earlier, later in pairwise(moments):
+        if later < earlier:
+            raise ValueError(f"moments must be in rising order, got {later} after {earlier}")
+    return moments
+
+
+def _groups(ensemble, few):
+    """Yield (number of the first run, runs) of each group; with `few` words to begin with, and then ever more."""
+    replicas = ensemble.runs // ensemble.weight
+    most = max(1, min(MOST_WORDS, GROUP_WORDS // ensemble.sand.size))
+    first, words = 0, min(few, most)
+    while first < replicas:
+        here = min(BITS * words, replicas - first)
+        yield first, here
+        first += here
+        words = min(2 * words, most)
+
+
+def _follow(ensemble, moments, progress=None, cancelled=None, few=MOST_WORDS):
+    """Yield (number of the moment, number of the first run, replicas) for each group of runs at each moment."""
+    work = ensemble.runs // ensemble.weight * max(moments, default=0)
+    for first, here in _groups(ensemble, few):
+        group = replicate(ensemble.sand, ensemble.walls, ensemble.seed, first, here)
+        now = 0
+        for number, moment in enumerate(moments):
+            for done in _stretches(group, ensemble, here, now, moment, cancelled):
+                if progress is not None:
+                    progress(ensemble.runs * (first * moments[-1] + here * done) // work)
+            now = moment
+            yield number, first, group
+    if progress is not None:
+        progress(ensemble.runs)
+
+
+def _stretches(group, ensemble, runs, now, moment, cancelled):
+    """Run a group of so many runs to iteration `moment` in place, its fixtures acting; yield how many are done."""
+    while now < moment:
+        end = moment
+        if ensemble.fixtures:
+            begin = ensemble.start + now
+            act_on_replicas(ensemble.fixtures, begin, group, runs)
+            end = min(end, now + pause(ensemble.fixtures, begin))
+        for done in _bites(group, ensemble, now, end - now, cancelled):
+            yield now + done
+        now = end
+
+
+def _bites(group, ensemble, now, iterations, cancelled):
+    """Run iterations `now`, now + 1 … of a group in place, a bite at a time; yield how many are done."""
+    begin = ensemble.start + now
+    offsets = np.array(ensemble.rule.offsets, np.int64)
+    offsets = np.roll(offsets, -(begin % len(offsets)), axis=0)
+    chances = _chances(ensemble.rule)
+    done = row = 0
+    while done < iterations:
+        if cancelled is not None and cancelled():
+            raise Cancelled
+        done, row = advance_replicas(group, offsets, np.uint64(begin & _MASK), iterations, chances, done, row, BITE)
+        yield done
+
+
+@lru_cache(maxsize=64)
+def _chances(rule):
+    chance = chance_of(rule.probabilities)
+    return chance.always, chance.digits[: chance.draws]

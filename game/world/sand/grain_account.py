@@ -1,0 +1,104 @@
+"""The audit: a world's grains are those of its start, and those painted and poured, less those erased and swallowed.
+
+So it is for the grains of each colour. A grain that is painted over with another colour is erased and painted.
+"""
+
+from dataclasses import dataclass, replace
+
+from game.world.sand.tally import NONE, added, split
+
+
+@dataclass(frozen=True)
+class Account:
+    """The books of a world's grains since it was loaded: tallies by colour, and their sums as plain numbers."""
+
+    start_by_colour: tuple
+    painted_by_colour: tuple = NONE
+    erased_by_colour: tuple = NONE
+    poured_by_colour: tuple = NONE  # by taps
+    swallowed_by_colour: tuple = NONE  # by drains
+
+    @property
+    def start(self):
+        """How many grains there were."""
+        return sum(self.start_by_colour)
+
+    @property
+    def painted(self):
+        """How many grains were painted."""
+        return sum(self.painted_by_colour)
+
+    @property
+    def erased(self):
+        """How many grains were erased."""
+        return sum(self.erased_by_colour)
+
+    @property
+    def poured(self):
+        """How many grains taps have poured."""
+        return sum(self.poured_by_colour)
+
+    @property
+    def swallowed(self):
+        """How many grains drains have swallowed."""
+        return sum(self.swallowed_by_colour)
+
+    @property
+    def expected(self):
+        """How many grains there must be now."""
+        return sum(self.expected_by_colour)
+
+    @property
+    def expected_by_colour(self):
+        """How many grains of each colour there must be now."""
+        came = added(added(self.start_by_colour, self.painted_by_colour), self.poured_by_colour)
+        gone = added(self.erased_by_colour, self.swallowed_by_colour)
+        return tuple(have - lost for have, lost in zip(came, gone, strict=True))
+
+    @property
+    def lines(self):
+        """The books as [(sign, word, grains)], what there must be now last; taps and drains where they worked."""
+        lines = [("", "at the start", self.start), ("+", "painted", self.painted), ("-", "erased", self.erased)]
+        if self.poured or self.swallowed:
+            lines += [("+", "poured", self.poured), ("-", "swallowed", self.swallowed)]
+        return [*lines, ("=", "now", self.expected)]
+
+    @property
+    def rows(self):
+        """The books of each colour that ever was: [(its number, start, painted, erased, poured, swallowed, now)]."""
+        columns = (
+            self.start_by_colour,
+            self.painted_by_colour,
+            self.erased_by_colour,
+            self.poured_by_colour,
+            self.swallowed_by_colour,
+            self.expected_by_colour,
+        )
+        books = enumerate(zip(*columns, strict=True))
+        return [(number, *row) for number, row in books if any(row)]
+
+    @property
+    def coloured(self):
+        """Whether there ever was sand of another colour than the first."""
+        return any(row[0] for row in self.rows)
+
+    def booked(self, change):
+        """Return the account after an act that changed the number of grains of each colour by `change`, a tally."""
+        came, went = split(change)
+        return replace(
+            self,
+            painted_by_colour=added(self.painted_by_colour, came),
+            erased_by_colour=added(self.erased_by_colour, went),
+        )
+
+    def passed(self, traffic):
+        """Return the account after the Traffic of some iterations."""
+        return replace(
+            self,
+            poured_by_colour=added(self.poured_by_colour, traffic.poured),
+            swallowed_by_colour=added(self.swallowed_by_colour, traffic.swallowed),
+        )
+
+    def balanced(self, world):
+        """Return whether `world` holds the grains that it must, of each colour: none was made or lost on the way."""
+        return world.grains_by_colour == self.expected_by_colour

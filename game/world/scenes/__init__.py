@@ -1,0 +1,1 @@
+"""What a scene file says, and how scenes are made, saved and opened."""

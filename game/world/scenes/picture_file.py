@@ -1,0 +1,228 @@
+"""Pictures as scenes: a PNG that holds a scene and all its settings, and any picture as sand and walls."""
+
+import io
+import json
+import warnings
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+
+from game.world.files.atomic import FileError, load, save
+from game.world.files.checked_table import SceneError, Table
+from game.world.looks.themes import WALL_LOOKS
+from game.world.sand import fixtures, parameters
+from game.world.sand.parameters import Knob
+from game.world.sand.rule import Rule
+from game.world.sand.sand_colours import nearest_dyes
+from game.world.scenes.cell_arrays import (
+    COLOURS,
+    EMPTY,
+    FORMATS,
+    MOST_PIXELS,
+    PICTURE_SIZE,
+    SAND,
+    SANDS,
+    WALL,
+    joined,
+    nearest_materials,
+    parted,
+    resampled,
+)
+from game.world.scenes.scene import Scene
+from game.world.scenes.scene_json import decode_rule
+
+VERSION = 1
+CHUNK = "sandglass"  # the key of the text in the PNG
+LARGEST_FILE = 2**28  # bytes
+THRESHOLD = Knob("threshold", 0.5, 0.02, 1.0, "", "how bright a picture must be to become sand; half of it: walls")
+LUMA = np.array([0.299, 0.587, 0.114], np.float32)  # how bright red, green and blue look (ITU-R BT.601)
+PURE = 0.98  # part of the pixels that must be near the colours of cells for a picture to count as drawn cells
+NEAR = 24  # of 255: how far a colour may be from a cell's in each channel; what saving as JPEG does to flat colours
+LARGEST_PHOTO = 640, 480  # cells: a larger photo is scaled down to fit
+
+
+class PictureError(FileError):
+    """What is wrong with a picture, as one line."""
+
+
+class Picture(NamedTuple):
+    """What a picture holds."""
+
+    scene: Scene
+    seed: int
+
+
+def save_picture(path, session):
+    """Write the session's cells, rule, seed and settings to a PNG, in one step; raise FileError where that fails."""
+    from PIL import Image
+    from PIL.PngImagePlugin import PngInfo
+
+    world, scene = session.world, session.scene
+    materials = joined(world.sand, world.walls, world.colours)
+    picture = Image.fromarray(materials, "P")
+    picture.putpalette([part for colour in COLOURS for part in colour])
+    settings = {
+        "sandglass": VERSION,
+        "title": scene.title,
+        "notice": scene.notice,
+        "walls": scene.made_of,
+        "rule": session.rule.as_dict(),
+        "seed": session.seed,
+        "speed": session.clock.speed,
+        "cell": scene.cell,
+    }
+    if world.fixtures:
+        settings["fixtures"] = [each.as_dict() for each in world.fixtures]
+    text = PngInfo()
+    text.add_text(CHUNK, json.dumps(settings))
+    file = io.BytesIO()
+    picture.save(file, "PNG", pnginfo=text, optimize=True)
+    save(path, file.getvalue())
+
+
+@dataclass(frozen=True)
+class Photo:
+    """A picture that was not drawn of cells: how bright is sand is a matter of taste."""
+
+    path: Path
+    pixels: np.ndarray  # (H, W, 4) uint8, no larger than LARGEST_PHOTO
+
+    def picture(self, threshold=THRESHOLD.default, in_colours=False):
+        """Return the Picture with sand where the photo is at least that bright, walls down to half of it.
+
+        in_colours: each grain has the dye that looks most like the photo there, instead of all one colour.
+        """
+        level = THRESHOLD.check(threshold)
+        materials = _by_rows(self.pixels, lambda rows: _by_brightness(rows, level))
+        if in_colours:
+            materials = np.where(materials == SAND, self._dyed, materials)
+        return _picture(self.path, materials, None)
+
+    @cached_property
+    def _dyed(self):
+        """The photo as sand alone: the material of the nearest dye in each cell."""
+        return np.array(SANDS, np.uint8)[nearest_dyes(self.pixels[..., :3])]
+
+
+def open_picture(path):
+    """Return what a file holds: the Picture of a scene, or a Photo; raise PictureError, with one line, if neither.
+
+    Cells in the colours of a saved scene are taken as they are; any other picture is a photo, scaled down to fit
+    LARGEST_PHOTO.
+    """
+    path = Path(path)
+    pixels, text = _read(path)
+    if pixels.ndim == 2:
+        return _picture(path, pixels, text)
+    if text is not None or _is_drawn(pixels):
+        return _picture(path, _by_rows(pixels, nearest_materials), text)
+    return Photo(path, _fitted(pixels))
+
+
+def load_picture(path, threshold=None):
+    """Return the Picture in a file; raise PictureError, with one line to show, where there is none.
+
+    A photo becomes sand where its brightness is at least `threshold` (default THRESHOLD), walls down to half of it,
+    else empty, as what is see-through. A threshold makes any picture a photo.
+    """
+    if threshold is None:
+        found = open_picture(path)
+        return found.picture() if isinstance(found, Photo) else found
+    pixels, _ = _read(Path(path), as_photo=True)
+    return Photo(Path(path), _fitted(pixels)).picture(threshold)
+
+
+def _picture(path, materials, text):
+    sand, walls, colours = parted(materials)
+    try:
+        settings, seed = _settings(path, text)
+    except SceneError as error:
+        raise PictureError(error) from None
+    return Picture(Scene(path.stem, sand=sand, walls=walls, colours=colours, **settings), seed)
+
+
+def _read(path, as_photo=False):
+    """Return the (H, W, 4) uint8 pixels of a picture and its text of settings, or None.
+
+    Of one that a scene was saved as, unless it is to be a photo, return the (H, W) materials: it may be as large as a
+    lattice.
+    """
+    from PIL import Image
+
+    Image.MAX_IMAGE_PIXELS = None  # what is too large is found out here, before its pixels are read
+    data = load(path, LARGEST_FILE, PictureError)
+    try:
+        with warnings.catch_warnings(action="ignore"), Image.open(io.BytesIO(data), formats=FORMATS) as picture:
+            (width, height), text = picture.size, picture.info.get(CHUNK)
+            saved = text is not None and picture.mode == "P" and "transparency" not in picture.info and not as_photo
+            if max(width, height) > parameters.SIDE.high or (width * height > MOST_PIXELS and not saved):
+                raise PictureError(f"{path}: found {width}×{height} pixels, wanted at most {PICTURE_SIZE}")
+            return (_by_palette if saved else _upright)(picture), text
+    except PictureError:
+        raise
+    except Exception:  # Pillow's decoders raise whatever a damaged file makes them trip over
+        raise PictureError(f"{path}: found an unreadable file, wanted a {', '.join(FORMATS)}") from None
+
+
+def _by_palette(picture):
+    """Return the material of each pixel of a picture with a palette, by the colour that the palette gives it."""
+    palette = np.array(picture.getpalette("RGBA"), np.uint8).reshape(1, -1, 4)
+    materials = np.full(256, EMPTY, np.uint8)
+    materials[: palette.shape[1]] = nearest_materials(palette)[0]
+    return materials[np.asarray(picture)]
+
+
+def _upright(picture):
+    """Return the RGBA pixels of a picture, turned as the camera was held, each channel in eight bits."""
+    from PIL import Image, ImageOps
+
+    if picture.mode.startswith("I"):  # grey in 16 bits
+        picture = Image.fromarray((np.asarray(picture).clip(0, 2**16 - 1) >> 8).astype(np.uint8))
+    return np.asarray(ImageOps.exif_transpose(picture).convert("RGBA"))
+
+
+def _is_drawn(pixels):
+    """Return whether nearly all pixels have the colours of cells."""
+    sample = pixels[:: max(1, len(pixels) // 256), :, :3].astype(np.int16)
+    near = [(np.abs(sample - colour) <= NEAR).all(axis=-1) for colour in COLOURS]
+    return np.any(near, axis=0).mean() >= PURE
+
+
+def _by_rows(pixels, materials_of):
+    return np.concatenate([materials_of(rows) for rows in np.array_split(pixels, len(pixels) // 64 + 1)])
+
+
+def _by_brightness(pixels, threshold):
+    bright = pixels[..., :3].astype(np.float32) @ LUMA / 255
+    materials = np.where(bright >= threshold, SAND, np.where(bright >= threshold / 2, WALL, EMPTY)).astype(np.uint8)
+    materials[pixels[..., 3] < 128] = EMPTY
+    return materials
+
+
+def _fitted(pixels):
+    height, width = pixels.shape[:2]
+    scale = min(1.0, LARGEST_PHOTO[0] / width, LARGEST_PHOTO[1] / height)
+    return resampled(pixels, max(1, round(height * scale)), max(1, round(width * scale)))
+
+
+def _settings(path, text):
+    """Return the fields of a Scene beside its cells, and the seed, from the text in its picture."""
+    if text is None:
+        fields = {"title": path.stem, "notice": "", "rule": Rule.with_p(0.75, "balanced")}
+        return fields | {"speed": parameters.SPEED.default, "cell": parameters.CELL.default}, parameters.SEED.default
+    try:
+        table = Table(path, json.loads(text), f"{CHUNK}: ")
+    except (ValueError, TypeError, RecursionError):
+        raise SceneError(path, CHUNK, "broken JSON", "the settings of a scene") from None
+    if not isinstance(table.values, dict):
+        raise SceneError(path, CHUNK, "no object", "the settings of a scene")
+    table.number("sandglass", Knob("version", VERSION, 1, VERSION, "(a newer Sandglass wrote it)", "", whole=True))
+    table.allow(("sandglass", "title", "notice", "walls", "rule", "seed", "speed", "cell", "fixtures"))
+    fields = {"title": table.line("title", path.stem), "notice": table.line("notice", "")}
+    fields |= {"rule": decode_rule(table.table("rule")), "speed": table.number("speed", parameters.SPEED)}
+    fields["made_of"] = table.choice("walls", WALL_LOOKS, WALL_LOOKS[0])
+    fields |= {"cell": table.number("cell", parameters.CELL), "fixtures": fixtures.read_all(table)}
+    return fields, table.number("seed", parameters.SEED)

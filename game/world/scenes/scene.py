@@ -1,0 +1,216 @@
+"""A scene: the cells, the rule and the pace that one readable file describes."""
+
+import os
+from dataclasses import dataclass, replace
+from functools import cache
+from pathlib import Path
+from weakref import WeakValueDictionary
+from zlib import crc32
+
+import numpy as np
+
+from game.world.files.assets import asset
+from game.world.files.checked_table import SceneError, as_line, read_table
+from game.world.looks.themes import WALL_LOOKS
+from game.world.sand import fixtures as fixture
+from game.world.sand import parameters
+from game.world.sand.fixtures import DRAIN, TAP
+from game.world.sand.rule import FIELDS, SCHEDULES, Rule
+from game.world.sand.sand_colours import AMBER
+from game.world.sand.world import World
+from game.world.scenes.cell_arrays import EMPTY, painted_cells, parted, resampled, written_cells
+from game.world.scenes.hourglass_spec import Glass
+from game.world.scenes.shapes import Scale, middle_of_glass, only_glass, paint
+
+__all__ = ["Scene", "SceneError", "load_scene", "scene_names"]
+
+ORDER = (  # as shown; others follow
+    *("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "maze", "tower", "city", "marbles", "delta"),
+    *("silo", "clocks", "mixing", "fountain", "rainbow", "dunes", "fullhd", "blank"),
+)
+SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
+SIDES = ("height", "width")
+KEYS = ("title", "notice", *SIDES, *SOURCES, TAP, DRAIN, "walls", "rule", "speed", "cell")
+
+_known = WeakValueDictionary()  # (shape, dtype, checksum): the cells of scenes that are still told of
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """What a scene file describes. sand and walls: (H, W) bool, not writable, nowhere both."""
+
+    name: str
+    title: str
+    notice: str  # what to look out for, in one sentence
+    sand: np.ndarray
+    walls: np.ndarray
+    rule: Rule
+    speed: float  # iterations per second
+    cell: int  # pixels across one cell
+    neck: int | None = None  # the row in the middle of its glass, if it has one
+    made_of: str = WALL_LOOKS[0]  # what the walls look like
+    fixtures: tuple = ()  # of Fixture: taps and drains
+    colours: np.ndarray | None = None  # of the sand, (H, W) uint8, not writable; None where all of it is amber
+    glass: Glass | None = None  # the one hourglass that it is made of, if it is
+    shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
+
+    def __post_init__(self):
+        for name in ("name", "title", "notice"):  # what files are called may hold any sign
+            object.__setattr__(self, name, as_line(getattr(self, name)))
+        for name in ("sand", "walls", "colours"):
+            object.__setattr__(self, name, _shared(getattr(self, name)))
+
+    @property
+    def shape(self):
+        """The lattice's (height, width) in cells."""
+        return self.sand.shape
+
+    @property
+    def coloured(self):
+        """Whether any of its sand has a colour, or will have one that a tap pours."""
+        return self.colours is not None or any(each.colour != AMBER for each in self.fixtures)
+
+    def world(self, seed=0):
+        """Return a new World with the scene's cells, at iteration 0."""
+        world = World.from_cells(self.sand, self.walls, seed, self.colours)
+        world.fixtures = self.fixtures
+        return world
+
+
+def _shared(cells):
+    """Return an equal array of another scene, if there is one, so that a scene loaded again takes no more memory."""
+    if cells is None or cells.flags.writeable or not cells.flags.c_contiguous:
+        return cells
+    same = _known.setdefault((cells.shape, cells.dtype.str, crc32(cells)), cells)
+    return same if np.array_equal(same, cells) else cells
+
+
+def load_scene(name_or_path, size=None):
+    """Return the shipped Scene of that name, or the one in a file (a path, or a name that ends in .toml).
+
+    size: (width, height) in cells, for the same scene on another lattice: shapes are drawn again at that resolution,
+    drawn or pictured cells are resampled. Raises SceneError, with one line to show, for whatever is wrong in the file,
+    and ValueError for a bad size.
+    """
+    path = _path(name_or_path)
+    table = read_table(path)
+    table.allow(KEYS)
+    rule = _rule(table.table("rule"))
+    cells, own_size = _cells(table, path.parent, size)
+    sand, walls, colours = parted(cells)
+    return Scene(
+        name=path.stem,
+        title=table.line("title", path.stem),
+        notice=table.line("notice", ""),
+        sand=sand,
+        walls=walls,
+        colours=colours,
+        rule=rule,
+        speed=table.number("speed", parameters.SPEED, parameters.SPEED.default),
+        cell=table.number("cell", parameters.CELL, parameters.CELL.default),
+        neck=_neck(table, cells.shape),
+        glass=_glass(table, cells.shape),
+        made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
+        fixtures=_fixtures(table, own_size, sand.shape),
+        shipped=path.parent == asset("scenes"),
+    )
+
+
+def scene_names():
+    """Return the names of the shipped scenes, the default first."""
+    found = sorted(path.stem for path in asset("scenes").glob("*.toml"))
+    return tuple(sorted(found, key=lambda name: ORDER.index(name) if name in ORDER else len(ORDER)))
+
+
+@cache
+def scene_title(name):
+    """Return the title of a shipped scene without making its cells; its file is read once."""
+    path = _path(name)
+    return read_table(path).line("title", path.stem)
+
+
+def _path(name_or_path):
+    text = os.fspath(name_or_path)
+    if isinstance(name_or_path, os.PathLike) or text.endswith(".toml") or any(sign in text for sign in "/\\"):
+        path, known = Path(text), "a scene file"
+    else:
+        path, known = asset("scenes") / f"{text}.toml", "a scene"
+    if "\0" in text or not os.path.lexists(path):
+        raise SceneError(text or "''", "scene", "no such file", f"{known}, or one of {', '.join(scene_names())}")
+    return path
+
+
+def _cells(table, folder, size):
+    """Return the (H, W) uint8 materials that `table` describes, on a lattice of `size` if given, and its own size.
+
+    Sizes are (width, height).
+    """
+    sources = [key for key in SOURCES if key in table]
+    if len(sources) > 1:
+        raise table.error(sources[1], f"it beside {sources[0]}", f"only one of {', '.join(SOURCES)}")
+    size = size and tuple(parameters.SIDE.check(side) for side in size)
+    if sources == ["cells"]:
+        drawn = written_cells(table)
+        for key, side in zip(SIDES, drawn.shape, strict=True):
+            if table.number(key, parameters.SIDE, side) != side:
+                raise table.error(key, table.values[key], f"{side} as in cells, or to leave it out")
+    elif sources == ["picture"]:
+        drawn = painted_cells(table, folder)
+        height, width = (table.number(key, parameters.SIDE, side) for key, side in zip(SIDES, drawn.shape, strict=True))
+        drawn = resampled(drawn, height, width)
+    else:
+        return _shaped_cells(table, size)
+    return (resampled(drawn, *size[::-1]) if size else drawn), drawn.shape[::-1]
+
+
+def _shaped_cells(table, size):
+    own_width, own_height = table.number("width", parameters.SIDE), table.number("height", parameters.SIDE)
+    width, height = size or (own_width, own_height)
+    scale = Scale(own_width, own_height, width / own_width, height / own_height)
+    cells = np.full((height, width), EMPTY, np.uint8)
+    for shape in table.tables("shape"):
+        paint(cells, shape, scale)
+    return cells, (own_width, own_height)
+
+
+def _fixtures(table, own_size, shape):
+    """Return the taps and drains that `table` describes, moved from its own size to a lattice of `shape`."""
+    found = []
+    for kind in (TAP, DRAIN):
+        for each in table.tables(kind):
+            each.allow(fixture.KEYS[kind])
+            found.append(fixture.read(each, kind).scaled(shape[1] / own_size[0], shape[0] / own_size[1]))
+    return fixture.checked(found, table, f"{TAP} and {DRAIN}")
+
+
+def _neck(table, shape):
+    """Return the row in the middle of the first glass that `table` describes, on a lattice of `shape`, or None."""
+    if any(source in table for source in SOURCES[:2]):
+        return None
+    own_height = table.number("height", parameters.SIDE)
+    middles = (middle_of_glass(each, own_height) for each in table.tables("shape"))
+    middle = next((each for each in middles if each is not None), None)
+    return None if middle is None else round(middle * shape[0] / own_height)
+
+
+def _glass(table, shape):
+    """Return the Glass that is all that `table` describes, on a lattice of `shape`, or None."""
+    shapes = table.tables("shape")
+    if len(shapes) != 1 or any(source in table for source in SOURCES[:2]):
+        return None
+    own_width, own_height = table.number("width", parameters.SIDE), table.number("height", parameters.SIDE)
+    scale = Scale(own_width, own_height, shape[1] / own_width, shape[0] / own_height)
+    return only_glass(shapes[0], shape[1], shape[0], scale)
+
+
+def _rule(table):
+    """Return the Rule in the table [rule]: p and bias, or the toppling probabilities themselves; the rest as given."""
+    table.allow(("p", "bias", *FIELDS))
+    schedule = table.choice("schedule", tuple(SCHEDULES), Rule().schedule)
+    if "p" in table or "bias" in table:
+        for topple in (parameters.TOPPLE_LEFT, parameters.TOPPLE_RIGHT):
+            if topple.name in table:
+                raise table.error(topple.name, "it beside p or bias", "only one of the two ways")
+    p, bias = (table.number(each.name, each, each.default) for each in (parameters.P, parameters.BIAS))
+    given = {each.name: table.number(each.name, each) for each in parameters.PROBABILITIES if each.name in table}
+    return replace(Rule.with_p(p, schedule, bias), **given)

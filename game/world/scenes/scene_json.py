@@ -1,0 +1,167 @@
+"""A scene in a session file: a shipped one by name, size and digest, any other with its cells."""
+
+import base64
+import binascii
+import hashlib
+import zlib
+from dataclasses import fields
+from functools import lru_cache
+
+import numpy as np
+
+from game.core.planes import DEPTH
+from game.world.files.checked_table import shown
+from game.world.looks.themes import WALL_LOOKS
+from game.world.sand import fixtures, parameters
+from game.world.sand.rule import FIELDS, SCHEDULES, Rule
+from game.world.scenes import hourglass_spec
+from game.world.scenes.scene import Scene, load_scene, scene_names
+
+SHIPPED = ("name", "size", "start")
+EMBEDDED = (
+    *("name", "title", "notice", "size", "cells", "colours", "walls", "rule", "speed", "cell"),
+    *("fixtures", "glass", "neck"),
+)
+BESIDE_CELLS = [each.name for each in fields(Scene) if each.name not in ("sand", "walls", "colours")]
+NECK = parameters.Knob("neck", 0, 0, parameters.SIDE.high, "", "the row in the middle of a glass", whole=True)
+
+
+def start_digest(scene):
+    """Return 16 hex digits that name a scene's size, cells, rule and fixtures."""
+    digest = hashlib.blake2b(f"{scene.shape} {scene.rule.as_dict()} ".encode(), digest_size=8)
+    digest.update("".join(f"{each} " for each in scene.fixtures).encode())
+    for cells in (scene.sand, scene.walls, *_bits(scene.colours)):
+        digest.update(np.packbits(cells).tobytes())
+    return digest.hexdigest()
+
+
+def encode(scene, known):
+    """Return the record of a scene as a dict for JSON; known: {start digest: scene} of the file so far, added to."""
+    start = start_digest(scene)
+    if start in known and all(getattr(known[start], field) == getattr(scene, field) for field in BESIDE_CELLS):
+        return {"again": start}
+    known[start] = scene
+    size = list(scene.shape[::-1])
+    if scene.shipped:
+        return {"name": scene.name, "size": size, "start": start}
+    return {
+        "name": scene.name,
+        "title": scene.title,
+        "notice": scene.notice,
+        "size": size,
+        "cells": _packed((scene.sand, scene.walls)),
+        **({"colours": _packed(_bits(scene.colours))} if scene.colours is not None else {}),
+        "walls": scene.made_of,
+        "rule": scene.rule.as_dict(),
+        "speed": scene.speed,
+        "cell": scene.cell,
+        **({"fixtures": [each.as_dict() for each in scene.fixtures]} if scene.fixtures else {}),
+        **({"glass": scene.glass.as_dict()} if scene.glass else {}),
+        **({"neck": scene.neck} if scene.neck is not None else {}),
+    }
+
+
+def decode(table, known):
+    """Return the Scene of a record, a Table; raise SceneError where it is not one, or a shipped scene has changed."""
+    if "again" in table:
+        table.allow(("again",))
+        start = table.choice("again", tuple(known) or ("a scene told of before",))
+        return known[start]
+    scene = _embedded(table) if "cells" in table else _shipped(table)
+    known[start_digest(scene)] = scene
+    return scene
+
+
+def decode_rule(table):
+    """Return the Rule that a Table spells out in full."""
+    table.allow(FIELDS)
+    numbers = {each.name: table.number(each.name, each) for each in parameters.PROBABILITIES}
+    return Rule(**numbers, schedule=table.choice("schedule", tuple(SCHEDULES)))
+
+
+def _size(table):
+    value = table.values.get("size")
+    try:
+        width, height = (parameters.SIDE.check(side) for side in value)
+    except (TypeError, ValueError, OverflowError):
+        raise table.error("size", shown(value), f"[width, height], each {parameters.SIDE.wanted}") from None
+    return width, height
+
+
+def _shipped(table):
+    table.allow(SHIPPED)
+    name, size = table.choice("name", scene_names()), _size(table)
+    scene = _load(name, size)
+    if table.values.get("start") != start_digest(scene):
+        raise table.error("start", shown(table.values.get("start")), f"{start_digest(scene)}: this {name} is another")
+    return scene
+
+
+@lru_cache(maxsize=4)
+def _load(name, size):
+    return load_scene(name, size)
+
+
+def _embedded(table):
+    table.allow(EMBEDDED)
+    width, height = _size(table)
+    sand, walls = _unpacked(table, "cells", width, height, 2)
+    wanted = f"{width}×{height} cells that are sand or wall, not both"
+    if (sand & walls).any():
+        raise table.error("cells", "a cell that is both", wanted)
+    return Scene(
+        name=table.line("name", "scene"),
+        title=table.line("title", ""),
+        notice=table.line("notice", ""),
+        sand=sand,
+        walls=walls,
+        colours=_colours(table, sand) if "colours" in table else None,
+        rule=decode_rule(table.table("rule")),
+        speed=table.number("speed", parameters.SPEED),
+        cell=table.number("cell", parameters.CELL),
+        made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
+        fixtures=fixtures.read_all(table),
+        glass=hourglass_spec.read(table.table("glass")) if "glass" in table else None,
+        neck=table.number("neck", NECK) if "neck" in table else None,
+    )
+
+
+def _colours(table, sand):
+    """Return the colours of the sand, uint8, that the record tells of."""
+    bits = _unpacked(table, "colours", *sand.shape[::-1], DEPTH)
+    colours = sum(plane.view(np.uint8) << bit for bit, plane in enumerate(bits)).astype(np.uint8)
+    if (colours[~sand] > 0).any():
+        raise table.error("colours", "a colour where there is no sand", "colours of the sand in cells")
+    colours.flags.writeable = False
+    return colours
+
+
+def _bits(colours):
+    """Return the bits of colours as (H, W) bool arrays, the lowest first; none where there are no colours."""
+    return () if colours is None else [(colours >> bit & 1).astype(bool) for bit in range(DEPTH)]
+
+
+def _packed(planes):
+    """Return (H, W) bool arrays as text."""
+    bits = b"".join(np.packbits(plane).tobytes() for plane in planes)
+    return base64.b64encode(zlib.compress(bits, 9)).decode()
+
+
+def _unpacked(table, key, width, height, number):
+    """Return the (height, width) bool arrays, not writable, that the text at `key` holds, so many of them."""
+    length = -(-width * height // 8)  # bytes
+    wanted = f"{number * length} bytes, packed, of {number} bits for each of {width}×{height} cells"
+    unpacker = zlib.decompressobj()
+    try:
+        bits = unpacker.decompress(base64.b64decode(table.values[key], validate=True), number * length + 1)
+    except (TypeError, ValueError, binascii.Error, zlib.error):
+        raise table.error(key, "damaged ones", wanted) from None
+    if len(bits) != number * length or not unpacker.eof:
+        raise table.error(key, "another number of them", wanted)
+    planes = []
+    for start in range(0, number * length, length):
+        part = np.frombuffer(bits[start : start + length], np.uint8)
+        plane = np.unpackbits(part, count=width * height).reshape(height, width).view(np.bool_)
+        plane.flags.writeable = False
+        planes.append(plane)
+    return planes

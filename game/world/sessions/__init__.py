@@ -1,0 +1,1 @@
+"""A scene as it is played: acts, time, undo, recordings and journals."""

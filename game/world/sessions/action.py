@@ -1,0 +1,204 @@
+"""What a player can do to a world, as data: made by tools, keys and sliders, applied by one function."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from game.core.paint.ink import ANY, EMPTY, GRAIN, WALL, Ink
+from game.core.paint.primitives import ELLIPSE, RECTANGLE, covers
+from game.core.paint.strokes import DIAMOND, ROUND, SQUARE, comes_over
+from game.world.sand.rule import Rule
+from game.world.sand.sand_colours import AMBER, DYES
+from game.world.sand.tally import NONE
+from game.world.scenes.hourglass_spec import Glass
+from game.world.scenes.pour import pour
+from game.world.scenes.scene import Scene
+
+MATERIALS = {"erase": EMPTY, "sand": GRAIN, "wall": WALL}
+KINDS = {"empty": EMPTY, "sand": GRAIN, "wall": WALL}
+SHAPES = {"round": ROUND, "square": SQUARE, "diamond": DIAMOND}
+USUAL_SHAPE = "round"
+FIGURES = {"rectangle": RECTANGLE, "ellipse": ELLIPSE}
+
+
+@dataclass(frozen=True, slots=True)
+class Paint:
+    """A stroke of the brush from one place to another: `start` and `end` are (column, row), in cells."""
+
+    material: str  # a key of MATERIALS
+    start: tuple
+    end: tuple
+    diameter: int  # cells
+    over_walls: bool = False
+    shape: str = USUAL_SHAPE  # a key of SHAPES
+    only: str = ""  # a key of KINDS: no other cells change, and these do whether `over_walls` or not
+    spray: int = 0  # 0, or a number that picks a few of the cells: the others stay
+    colour: str = AMBER  # of sand: one of DYES
+
+
+@dataclass(frozen=True, slots=True)
+class Draw:
+    """A figure between two places (column, row), in cells: those that hold its opposite corners."""
+
+    figure: str  # a key of FIGURES
+    material: str  # a key of MATERIALS
+    start: tuple
+    end: tuple
+    edge: int = 0  # cells drawn inwards from the outline; 0 for all
+    over_walls: bool = False
+    colour: str = AMBER  # of sand: one of DYES
+
+
+@dataclass(frozen=True, slots=True)
+class Fill:
+    """Gives a material to the cell at a place (column, row), and to all that touch it through others of its kind."""
+
+    material: str  # a key of MATERIALS
+    place: tuple
+    colour: str = AMBER  # of sand: one of DYES
+
+
+@dataclass(frozen=True, slots=True)
+class Flip:
+    """Turns the lattice over."""
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """Turns the table: the lattice goes round by 90 degrees, clockwise, so many times."""
+
+    quarters: int  # 1, 2 or 3
+
+
+@dataclass(frozen=True, slots=True)
+class Reshape:
+    """Puts a glass in place of all walls, and pours the sand into it; `refill`: fills it anew instead."""
+
+    glass: Glass
+    refill: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class SetFixtures:
+    """Gives the world other taps and drains in place of those that it has."""
+
+    fixtures: tuple  # of Fixture
+
+
+@dataclass(frozen=True, slots=True)
+class Clear:
+    """Takes all sand away and leaves walls and fixtures."""
+
+
+@dataclass(frozen=True, slots=True)
+class SetRule:
+    """Changes how sand moves."""
+
+    rule: Rule
+
+
+@dataclass(frozen=True, slots=True)
+class Load:
+    """Puts a scene in place of the world."""
+
+    scene: Scene
+    seed: int
+
+
+def apply(action, world, rule):
+    """Return (world, rule) after `action`; the world given is changed in place or replaced."""
+    return perform(action, world, rule)[:2]
+
+
+def perform(action, world, rule):
+    """Return (world, rule, change) as `apply` does.
+
+    change: the tally of the grains that the act put into the world given, less those that it took.
+    """
+    change = NONE
+    match action:
+        case Paint():
+            change = _paint(action, world)
+        case Draw():
+            change = _draw(action, world)
+        case Fill():
+            change = world.fill(*cell(action.place), Ink(MATERIALS[action.material], colour=dye(action)))
+        case Flip():
+            world.flip()
+        case Turn():
+            world = world.turned(action.quarters)
+        case Reshape():
+            world, change = _reshape(action, world)
+        case SetFixtures():
+            world.fixtures = action.fixtures
+        case Clear():
+            change = tuple(-grains for grains in world.grains_by_colour)
+            world.clear()
+        case SetRule():
+            rule = action.rule
+        case Load():
+            world, rule = action.scene.world(action.seed), action.scene.rule
+        case _:
+            raise TypeError(f"not an action: {action!r}")
+    return world, rule, change
+
+
+def _paint(paint, world):
+    start, end = snap(paint.start, paint.diameter), snap(paint.end, paint.diameter)
+    kinds = 1 << KINDS[paint.only] if paint.only else taken_by(paint.material, paint.over_walls)
+    shape = SHAPES[paint.shape]
+    if paint.material == "erase" and not paint.only and not paint.spray:
+        radius = paint.diameter / 2
+        left, top, right, bottom = box(start, end)
+        far = math.ceil(radius) + 1  # no cell that the brush reaches lies further from the ends
+        reach = left - far, top - far, right + far, bottom + far
+        world.drop_fixtures(lambda x, y: comes_over(shape, x, y, *start, *end, radius), reach)
+    ink = Ink(MATERIALS[paint.material], kinds, paint.spray, dye(paint))
+    return world.stroke(start, end, paint.diameter, shape, ink)
+
+
+def _draw(draw, world):
+    figure, cells = FIGURES[draw.figure], box(draw.start, draw.end)
+    if draw.material == "erase" and not draw.edge:
+        world.drop_fixtures(lambda x, y: covers(figure, x, y, *cells), cells)
+    ink = Ink(MATERIALS[draw.material], taken_by(draw.material, draw.over_walls), colour=dye(draw))
+    return world.figure(figure, cells, draw.edge, ink)
+
+
+def dye(action):
+    """Return the number of the colour that an act gives to sand; RAINBOW is the one after the last."""
+    return DYES.index(action.colour)
+
+
+def _reshape(reshape, world):
+    sand, walls = reshape.glass.cells()
+    before, colours = world.grains_by_colour, None
+    if not reshape.refill:
+        grains = world.sand + world.colours if world.coloured else world.sand.view(np.uint8)
+        poured, _ = pour(grains, reshape.glass.inside())
+        sand = poured > 0
+        colours = np.maximum(poured, 1) - 1 if world.coloured else None
+    world = world.within(sand, walls, colours)
+    return world, tuple(now - then for now, then in zip(world.grains_by_colour, before, strict=True))
+
+
+def snap(place, diameter):
+    """Return the nearest place to centre a brush of `diameter` cells: a cell's middle if odd, a corner if even."""
+    return tuple(math.floor(part) + 0.5 if diameter % 2 else float(round(part)) for part in place)
+
+
+def cell(place):
+    """Return the (column, row) of the cell that holds a place."""
+    return math.floor(place[0]), math.floor(place[1])
+
+
+def box(start, end):
+    """Return the cells between two places: first column and row, and those after the last."""
+    (x0, y0), (x1, y1) = cell(start), cell(end)
+    return min(x0, x1), min(y0, y1), max(x0, x1) + 1, max(y0, y1) + 1
+
+
+def taken_by(material, over_walls):
+    """Return the kinds of cells that take a material, as bits: sand leaves walls standing unless `over_walls`."""
+    return ANY & ~(1 << WALL) if material == "sand" and not over_walls else ANY

@@ -1,0 +1,203 @@
+"""The journal: every act written to a file as it happens, so that no crash takes a session away.
+
+A journal is a session file (see `lines`) that grows. A line is handed to the system at once, which survives the death
+of the process; the system is told to put it on the disk every SYNC_S, which bounds what a power cut can take. Each
+window has a journal of its own, locked while it is open: one without an end that nobody has locked is left from a
+crash.
+"""
+
+import os
+import re
+import shutil
+import threading
+import time
+from datetime import UTC, datetime
+from pathlib import Path
+
+from game.world.files.atomic import FileError, load, trouble
+from game.world.files.locking import lock
+from game.world.files.paths import folder_of
+from game.world.sessions.history import WAIT
+from game.world.sessions.recording import SUFFIX, parse
+from game.world.sessions.session_format import LARGEST_FILE, Pen, ReplayError
+
+SYNC_S = 2.0  # a power cut takes no more than this; less wears the disk
+WAIT_S = 1.0  # between two notes that time went on: after a crash a session goes on from there
+MOST_JOURNALS = 30  # finished or not; older ones are removed
+MOST_BYTES = 100 * 10**6  # of all journals but the open ones
+LONGEST_END = 120  # bytes, of the line that ends a journal
+AN_ACT = re.compile(rb'"do":"(?!wait)')
+
+
+class JournalError(FileError):
+    """Why a journal cannot be written or taken up again, as one line."""
+
+
+def data_folder():
+    """Return the folder of the user's journals."""
+    return folder_of("journals")
+
+
+class Journal:
+    """An open journal; `begin` and `resume` make one. Its methods raise JournalError where it cannot be written."""
+
+    def __init__(self, path, handle, pen):
+        self.path = path
+        self._handle, self._pen = handle, pen
+        self._noted_at, self._waited_s = None, time.monotonic()
+        self._synced_s, self._syncing, self._failed = time.monotonic(), None, None
+
+    @classmethod
+    def begin(cls, scene, seed, folder=None):
+        """Open a new journal for a session that starts with `scene` and `seed`, and prune the old ones."""
+        folder = Path(folder or data_folder())
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            prune(folder)
+            stamp = datetime.now(UTC).strftime("%Y-%m-%dT%H-%M-%S.%f")
+            path = folder / f"{stamp}-{os.getpid()}{SUFFIX}"
+            journal = cls(path, _open(path, os.O_CREAT | os.O_EXCL), Pen())
+        except OSError as error:
+            raise JournalError(trouble(folder, "cannot keep a journal", error)) from None
+        lock(journal._handle)
+        journal._write(journal._pen.header(scene, seed))
+        return journal
+
+    @classmethod
+    def resume(cls, path):
+        """Open the journal of a session that ended without a word; return (journal, its Recording).
+
+        What cannot be read at its end is cut off; if that is more than a torn last line, a copy is left beside it.
+        """
+        path = Path(path)
+        data = load(path, LARGEST_FILE, JournalError)
+        try:
+            recording, (kept, checksum, known) = parse(data, path)
+            handle = _open(path)
+        except ReplayError as error:
+            raise JournalError(error) from None
+        except OSError as error:
+            raise JournalError(trouble(path, "cannot take up the journal", error)) from None
+        journal = cls(path, handle, Pen(checksum, known))
+        try:
+            if not lock(handle):
+                raise OSError("another window has it open")
+            if b"\n" in data[kept:]:
+                shutil.copyfile(path, f"{path}.damaged")
+            os.ftruncate(handle, kept)
+        except OSError as error:
+            journal._shut()
+            raise JournalError(trouble(path, "cannot take up the journal", error)) from None
+        return journal, recording
+
+    def note(self, entry):
+        """Write an Entry; those that only say that time went on are written now and then."""
+        self._check()
+        if entry.what == WAIT:
+            if entry.at == self._noted_at or time.monotonic() - self._waited_s < WAIT_S:
+                return
+            self._waited_s = time.monotonic()
+        self._noted_at = entry.at
+        self._write(self._pen.entry(entry))
+
+    def close(self, at, digest):
+        """Write the end, so that the session counts as finished, and put all of it on the disk."""
+        self._check()
+        self._write(self._pen.end(at, digest))
+        if self._syncing:
+            self._syncing.join()
+        self._sync()
+        self._shut()
+        self._check()
+
+    def abandon(self):
+        """Leave the journal without an end: the next start will offer to go on with it."""
+        self._shut()
+
+    def _write(self, line):
+        try:
+            while line:
+                line = line[os.write(self._handle, line) :]
+        except OSError as error:
+            self._shut()
+            raise JournalError(trouble(self.path, "cannot write the journal", error)) from None
+        if time.monotonic() - self._synced_s >= SYNC_S and not (self._syncing and self._syncing.is_alive()):
+            self._synced_s = time.monotonic()
+            self._syncing = threading.Thread(target=self._sync, daemon=True)
+            self._syncing.start()
+
+    def _sync(self):
+        """Put what was written on the disk; this takes long, so it is done beside the frames."""
+        try:
+            os.fsync(self._handle)
+            if os.name == "posix" and os.fstat(self._handle).st_nlink == 0:
+                raise FileNotFoundError("the file has vanished")
+        except OSError as error:
+            self._failed = error
+
+    def _check(self):
+        if self._failed:
+            error, self._failed = self._failed, None
+            self._shut()
+            raise JournalError(trouble(self.path, "cannot write the journal", error)) from None
+
+    def _shut(self):
+        if self._syncing:
+            self._syncing.join()
+        if self._handle is not None:
+            os.close(self._handle)
+        self._handle = None
+
+
+def unfinished(folder=None):
+    """Yield the paths of journals with acts that have no end and that nobody has open, the newest first."""
+    return (path for path in _journals(folder) if not _is_open(path) and _is_unfinished(path))
+
+
+def finish(path):
+    """Write that a session is not to be gone on with, and keep its journal like that of a finished one."""
+    journal, recording = Journal.resume(path)
+    journal.close(recording.end, "")
+
+
+def prune(folder=None):
+    """Remove the oldest journals, so that neither their number nor their size passes its bound; open ones stay."""
+    number, size = 0, 0
+    for path in _journals(folder):
+        try:
+            number, size = number + 1, size + path.stat().st_size
+            if (number >= MOST_JOURNALS or size > MOST_BYTES) and not _is_open(path):
+                path.unlink()
+                Path(f"{path}.damaged").unlink(missing_ok=True)
+        except OSError:
+            continue
+
+
+def _journals(folder):
+    return sorted(Path(folder or data_folder()).glob(f"*{SUFFIX}"), reverse=True)
+
+
+def _open(path, flags=0):
+    return os.open(path, os.O_RDWR | os.O_APPEND | getattr(os, "O_BINARY", 0) | flags, 0o600)
+
+
+def _is_open(path):
+    """Return whether a window has a journal open."""
+    try:
+        handle = _open(path)
+    except OSError:
+        return True
+    try:
+        return not lock(handle)
+    finally:
+        os.close(handle)
+
+
+def _is_unfinished(path):
+    """Return whether a journal has acts but no end, without reading them all one by one."""
+    try:
+        data = load(path, LARGEST_FILE)
+        parse(data[: data.find(b"\n") + 1], path)  # the start, without which nothing can be gone on with
+    except FileError:
+        return False
+    return b'"do":"end"' not in data[-LONGEST_END:] and AN_ACT.search(data) is not None

@@ -1,0 +1,57 @@
+"""A moment of a session: all that its future depends on, and the books kept on the way there."""
+
+import time
+from dataclasses import dataclass
+
+from game.world.sand.advance import NO_TRAFFIC, advance
+from game.world.sand.grain_account import Account
+from game.world.sand.rule import Rule
+from game.world.sand.world import World
+from game.world.scenes.hourglass_maker import scene_of
+from game.world.scenes.scene import Scene
+from game.world.sessions.action import Load, Reshape, perform
+
+
+@dataclass
+class Moment:
+    """A world in play, changed in place by `run` and `take`."""
+
+    world: World
+    rule: Rule
+    scene: Scene
+    account: Account
+    loaded_at: int = 0  # iterations of the session before the world was loaded
+    work_ns: int = 0  # what it took to compute the way from the session's start to here
+
+    @classmethod
+    def start(cls, scene, seed):
+        """Return the first moment of a session."""
+        world = scene.world(seed)
+        return cls(world, scene.rule, scene, Account(world.grains_by_colour))
+
+    @property
+    def now(self):
+        """Iterations since the session began."""
+        return self.loaded_at + self.world.iteration
+
+    def run(self, iterations):
+        """Run iterations and return what they took, in nanoseconds."""
+        start = time.perf_counter_ns()
+        traffic = advance(self.world, self.rule, iterations)
+        took = time.perf_counter_ns() - start
+        self.work_ns += took
+        if traffic is not NO_TRAFFIC:
+            self.account = self.account.passed(traffic)
+        return took
+
+    def take(self, action):
+        """Let an act happen."""
+        start, now = time.perf_counter_ns(), self.now
+        self.world, self.rule, change = perform(action, self.world, self.rule)
+        if isinstance(action, Load):
+            self.scene, self.loaded_at, self.account = action.scene, now, Account(self.world.grains_by_colour)
+        elif any(change):
+            self.account = self.account.booked(change)
+        if isinstance(action, Reshape):
+            self.scene = scene_of(action.glass, self.rule, self.scene.speed)
+        self.work_ns += time.perf_counter_ns() - start

@@ -1,0 +1,148 @@
+"""The ending: at which iteration the last grain passes the neck, computed ahead of time on a copy of the session."""
+
+import time
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from game.core.chance import threshold
+from game.core.planes import SAND, WALLS
+from game.world.sand import parameters
+from game.world.sand.advance import advance
+from game.world.sand.fixtures import TAP
+from game.world.sand.neck import find_neck
+
+BATCH = 64  # iterations before the first look; their number doubles while a batch takes less than BATCH_NS
+BATCH_NS = 4_000_000  # work between two looks at the neck and at `cancelled`
+MOST_ITERATIONS = 50_000_000  # what has not ended by then counts as endless: at 240 a second it is two days
+MOST_NS = 30 * 10**9  # work after which the search is given up
+
+MOST_NS_BY_TAPS = 2 * 10**9  # the same where taps pour: such sand hardly ever ends
+
+
+class Cancelled(Exception):  # noqa: N818 (it is a wish granted, not an error)
+    """Raised by a search whose `cancelled` returned true."""
+
+
+@dataclass(frozen=True)
+class Ending:
+    """What is known of a session's way to its last grain."""
+
+    start: int  # the iteration of the session at which the search began
+    at: int  # the iteration by which the last grain has passed; `start` where none will
+    has_neck: bool  # False: there is no neck, and the last grain is the last that moves at all
+    endless: bool  # the search was given up: sand was still passing, or could, when `at` was reached
+    iteration_ns: float  # what an iteration took on the way, on average
+    left: int = 0  # grains that stay above the neck, if there is one
+
+    @property
+    def iterations(self):
+        """How many iterations there are from the start of the search to the last grain."""
+        return self.at - self.start
+
+
+def find_ending(course, cancelled=None, most_iterations=MOST_ITERATIONS, most_ns=MOST_NS):
+    """Return the Ending of a Course, which is used up.
+
+    Grains that stick for ever do not count: the ending is the last iteration at which anything changes above the neck
+    or, where there is no neck, anywhere; the last act still to come is one that does. cancelled(), if given, is asked
+    every few milliseconds; once it returns true, Cancelled is raised.
+    """
+    start, work_ns = course.now, course.moment.work_ns
+    if any(each.kind == TAP for each in course.world.fixtures):
+        most_ns = min(most_ns, MOST_NS_BY_TAPS)
+    if course.last_act is not None:
+        _run_in_batches(course, course.last_act, cancelled)
+    last_act, neck = course.now, find_neck(course.world)
+    sign = _sign(neck)
+    before, left, endless = _last_change(course, sign, cancelled, start + most_iterations, work_ns + most_ns)
+    at = last_act if before is None else _exactly(before, course.now, sign, left)
+    spent_ns = course.moment.work_ns - work_ns
+    stay = left if neck else 0
+    return Ending(start, at, neck is not None, endless, spent_ns / max(1, course.now - start), stay)
+
+
+def _exactly(course, end, sign, left):
+    """Return the last iteration up to `end` at which the sign changes; from there on it is `left`."""
+    if not course.world.fixtures:
+        return first_moment(course, end, lambda world: sign(world) == left)
+    last, before = course.now, sign(course.world)
+    while course.now < end:  # a tap brings back what has passed, so that no half can be left out
+        course.run_to(course.now + 1)
+        if sign(course.world) != before:
+            last, before = course.now, sign(course.world)
+    return last
+
+
+def first_moment(course, end, reached):
+    """Return the first iteration up to `end` at which `reached(world)` is true, and stays so; it is by `end`."""
+    if reached(course.world):
+        return course.now
+    while end - course.now > 1:
+        middle = course.copy()
+        middle.run_to((course.now + end) // 2)
+        if reached(middle.world):
+            end = middle.now
+        else:
+            course = middle
+    return end
+
+
+def at_rest(world, rule):
+    """Return whether nothing can move any more under `rule`: neither now nor by any chance it leaves."""
+    eager = replace(rule, **{each.name: _possible(getattr(rule, each.name)) for each in parameters.PROBABILITIES})
+    trial = world.copy()
+    trial.fixtures = tuple(replace(each, every=1) for each in world.fixtures)
+    advance(trial, eager, len(rule.offsets))
+    return bool(np.array_equal(_sand(trial), _sand(world)))
+
+
+def _possible(p):
+    return 1.0 if threshold(p) else 0.0
+
+
+def _sign(neck):
+    """Return a function of a world whose value changes whenever sand passes the neck or, without one, moves."""
+    return neck.grains_above if neck else lambda world: _sand(world).tobytes()
+
+
+def _sand(world):
+    """Return the words of sand without the seams, which tell nothing."""
+    where = world.layout
+    rows = world.planes[SAND:WALLS, : where.rows * where.stride].reshape(WALLS - SAND, where.rows, where.stride)
+    return rows[:, :, : where.words]
+
+
+def _last_change(course, sign, cancelled, last, last_ns):
+    """Run until no sand can pass; return (course before the batch with the last change or None, final sign, endless).
+
+    last, last_ns: the iteration and the work at which the search is given up.
+    """
+    before, left, batch = None, sign(course.world), BATCH
+    while left and not at_rest(course.world, course.moment.rule):
+        if course.now >= last or course.moment.work_ns >= last_ns:
+            return before, left, True
+        _check(cancelled)
+        kept, began = course.copy(), course.moment.work_ns
+        course.run_to(course.now + batch)
+        now = sign(course.world)
+        if now != left:
+            before, left = kept, now
+        if course.moment.work_ns - began < BATCH_NS:
+            batch *= 2
+    return before, left, False
+
+
+def _run_in_batches(course, end, cancelled):
+    while course.now < end:
+        _check(cancelled)
+        began = time.perf_counter_ns()
+        batch = BATCH
+        while course.now < end and time.perf_counter_ns() - began < BATCH_NS:
+            course.run_to(min(end, course.now + batch))
+    course.run_to(end)
+
+
+def _check(cancelled):
+    if cancelled is not None and cancelled():
+        raise Cancelled

@@ -1,0 +1,159 @@
+"""Colours of grains: they travel with them, and change nothing about where sand goes."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from game import Rule, World, advance
+from game.core.grain_colours import ROW
+from game.core.planes import layout
+from game.world.sand.active_bands import Activity
+from tests import reference
+from tests.cells import NAMES, coloured, random_world, rows_of
+from tests.core.test_skipping import RULES as SKIPPING_RULES
+from tests.core.test_skipping import creep
+from tests.core.test_step import KINDS, SHAPES
+
+steady = settings(derandomize=True, deadline=None, max_examples=40)
+
+
+def follow(rows, colours, rule, seed, iterations, start=0):
+    """Return the colours of the cells after so many iterations, moved with the grains one block at a time."""
+    cells, colours = [list(row) for row in rows], colours.tolist()
+    probabilities = dict(zip(NAMES, rule.probabilities, strict=True))
+    for iteration in range(start, start + iterations):
+        after = reference.step(cells, probabilities, rule.schedule, seed, iteration)
+        left, top = rule.offsets[iteration % len(rule.offsets)]
+        for y in range(top, len(cells) - 1, 2):
+            for x in range(left, len(cells[0]) - 1, 2):
+                take_along(cells, after, colours, y, x)
+        for y in range(top, len(cells) - 1, 2):  # a last odd column has a wall for its neighbour
+            x = len(cells[0]) - 1
+            if (x - left) % 2 == 0 and x >= left and after[y][x] != cells[y][x]:
+                colours[y][x], colours[y + 1][x] = 0, colours[y][x]
+        cells = after
+    return np.array(colours)
+
+
+def take_along(before, after, colours, y, x):
+    """Let the colours in a block go where its grains went: straight down if they can, else across."""
+    gone = [k for k in (0, 1) if before[y][x + k] == "o" and after[y][x + k] == "."]
+    come = [k for k in (0, 1) if before[y + 1][x + k] == "." and after[y + 1][x + k] == "o"]
+    for old, new in zip(gone, come, strict=True):
+        colours[y + 1][x + new], colours[y][x + old] = colours[y][x + old], 0
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+def test_colours_go_where_their_grains_go(kind, schedule):
+    generator = np.random.default_rng(50)
+    rule = Rule(*KINDS[kind], schedule=schedule)
+    for height, width in SHAPES:
+        seed = int(generator.integers(2**64, dtype=np.uint64))
+        world = coloured(random_world(generator, height, width, seed, sand=0.3), generator)
+        wanted = follow(rows_of(world), world.colours, rule, seed, 6)
+        advance(world, rule, 6)
+        assert (world.colours == wanted).all(), f"{height} x {width} cells"
+
+
+@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+def test_colours_go_where_their_grains_go_across_bands(schedule):
+    generator = np.random.default_rng(55)
+    world = coloured(random_world(generator, 700, 130, seed=5, sand=0.3), generator)
+    assert len(world.activity.quiet) == 2
+    wanted = follow(rows_of(world), world.colours, Rule(schedule=schedule), 5, 9)
+    advance(world, Rule(schedule=schedule), 9)
+    assert (world.colours == wanted).all()
+    assert (world.activity.changed == world.activity.stamp).all()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+def test_each_colour_is_conserved_and_the_cells_evolve_as_without(kind, schedule):
+    generator = np.random.default_rng(51)
+    rule = Rule(*KINDS[kind], schedule=schedule)
+    plain = random_world(generator, 150, 261, seed=3, sand=0.3, walls=0.1)
+    world = coloured(plain, generator)
+    counts = world.grains_by_colour
+    assert min(counts) > 0 and sum(counts) == plain.grains
+    for some in (1, 2, 30, 100):
+        advance(plain, rule, some)
+        advance(world, rule, some)
+        assert (world.planes[: len(plain.planes)] == plain.planes).all()
+        assert world.grains_by_colour == counts == tuple(np.bincount(world.colours[world.sand], minlength=8))
+        assert not world.colours[~world.sand].any()
+
+
+@pytest.mark.parametrize("rule", SKIPPING_RULES.values(), ids=SKIPPING_RULES)
+@pytest.mark.parametrize("shape", [(1300, 300), (70, 8000)])
+@pytest.mark.parametrize("sand", [0.003, 0.3])
+def test_skipping_skewing_and_following_few_or_all_change_no_colour(rule, shape, sand):
+    generator = np.random.default_rng(52)
+    world = coloured(random_world(generator, *shape, seed=3, sand=sand, walls=0.05), generator)
+    twin = world.copy()
+    for some in (1, 37, 60):
+        advance(world, rule, some)
+        creep(twin, rule, some)
+        assert world.digest() == twin.digest()
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_following_the_few_words_that_moved_is_like_following_all(kind):
+    generator = np.random.default_rng(53)
+    rule = Rule(*KINDS[kind], schedule="paper")
+    world = coloured(random_world(generator, 60, 300, seed=2, sand=0.2), generator)
+    sand, walls, colours = (np.zeros((600, 300), cells.dtype) for cells in (world.sand, world.walls, world.colours))
+    sand[:60], walls[:60], walls[60], colours[:60] = world.sand, world.walls, True, world.colours
+    tall = World.from_cells(sand, walls, 2, colours)
+    for each in (world, tall):
+        advance(each, rule, 25)
+    assert (tall.colours[:60] == world.colours).all() and not tall.colours[60:].any()
+
+
+@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+@pytest.mark.parametrize("shape", [(70, 8000), (300, 1700), (61, 61)])
+def test_moving_sand_and_colours_word_by_word_is_like_moving_all_words(schedule, shape):
+    generator = np.random.default_rng(54)
+    rule = Rule(schedule=schedule)
+    few = coloured(random_world(generator, *shape, seed=4, sand=0.2, walls=0.05), generator)
+    many = few.copy()
+    for some in (1, 1, 2, 3, 4, 1, 2):
+        few.activity.busy[:], many.activity.busy[:] = 0, 2**40
+        advance(few, rule, some)
+        advance(many, rule, some)
+        assert few.digest() == many.digest()
+
+
+@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+def test_two_iterations_at_once_leave_bands_as_quiet_as_one_by_one(schedule):
+    generator = np.random.default_rng(56)
+    rule = Rule(schedule=schedule)
+    world = coloured(random_world(generator, 70, 8000, seed=6, sand=0.001, walls=0.02), generator)
+    twin = world.copy()
+    for some in (5, 7, 8, 8, 9, 12, 16):
+        advance(world, rule, some)
+        for _ in range(some):
+            advance(twin, rule, 1)
+        assert (world.activity.quiet == twin.activity.quiet).all()
+    assert world.digest() == twin.digest()
+
+
+@steady
+@given(st.integers(0, 2**32), st.integers(1, 40), st.integers(1, 300), st.sampled_from([0, 1, 2, 3]))
+def test_a_turn_carries_the_colours_and_four_quarters_are_the_identity(number, height, width, quarters):
+    generator = np.random.default_rng(number)
+    world = coloured(random_world(generator, height, width), generator)
+    advance(world, Rule.with_p(0.5), 5)
+    turned = world.turned(quarters)
+    assert (turned.colours == np.rot90(world.colours, -quarters)).all()
+    assert turned.turned(4 - quarters).digest() == world.digest()
+    flipped = world.copy()
+    flipped.flip()
+    assert (flipped.colours == world.colours[::-1, ::-1]).all() and flipped.digest() == world.turned(2).digest()
+
+
+def test_tracks_have_room_for_the_largest_band():
+    for width in range(1, 16385, 61):
+        where = layout(16384, width)
+        assert Activity(where).band_rows * where.stride <= ROW

@@ -1,0 +1,308 @@
+"""Time that runs ahead: it computes what would have come anyway, and stops at the very iteration that was wanted."""
+
+import threading
+import time
+
+import numpy as np
+import pygame
+import pytest
+
+from game.play.controls import fast_forward
+from game.play.controls.fast_forward import MOST_TOGETHER
+from game.play.timer import run_out_planner
+from game.world.sand.neck import find_neck
+from game.world.sand.rule import Rule
+from game.world.scenes.hourglass_maker import scene_of
+from game.world.sessions.action import Flip, SetRule
+from game.world.sessions.run_out import Cancelled, at_rest, find_ending
+from game.world.sessions.session import Session
+from tests.cells import small_glass
+from tests.play.player import Player
+
+SCENE = scene_of(small_glass(60))
+
+
+@pytest.fixture
+def watcher():
+    """Return a player with a small glass, whose time is held."""
+    player = Player("hourglass", size=(700, 560))
+    player.toy.open_scene(SCENE, 4)
+    player.session.paused = True
+    player.wait(0)
+    yield player
+    pygame.display.quit()
+
+
+def go_on(player, frames=400):
+    """Play frames until nothing runs ahead any more."""
+    for _ in range(frames):
+        player.settle()
+        if player.toy.ahead.due() is None:
+            return
+    pytest.fail("it runs for ever")
+
+
+def same_as_at_own_pace(session):
+    twin = Session(SCENE, 4)
+    twin.timeline.run(session.world.iteration)
+    return twin.world.digest() == session.world.digest()
+
+
+def test_a_held_key_runs_as_many_iterations_as_frames_hold(watcher):
+    watcher.press(pygame.K_RIGHT)
+    watcher.wait(5)
+    assert watcher.world.iteration > 100 and same_as_at_own_pace(watcher.session)
+    watcher.release(pygame.K_RIGHT)
+    now = watcher.session.now
+    watcher.wait(5)
+    assert watcher.session.now == now, "let go, the pause holds again"
+
+
+def test_a_held_key_goes_faster_from_frame_to_frame(watcher):
+    watcher.press(pygame.K_RIGHT)
+    places = []
+    for _ in range(9):
+        places.append(watcher.session.now)
+        watcher.frame()
+    steps = np.diff(places)
+    assert (
+        (np.diff(steps) >= 0).all() and steps[-1] > 1.5 * steps[0] and steps[0] < 20 * watcher.session.clock.speed / 60
+    )
+
+
+@pytest.mark.parametrize("let_go", [False, True])
+def test_a_held_key_goes_no_further_than_to_rest(watcher, let_go):
+    watcher.press(pygame.K_RIGHT)
+    for _ in range(400):
+        watcher.frame()
+        if let_go and watcher.toy.ahead._narrowing:
+            watcher.release(pygame.K_RIGHT)
+            break
+    watcher.settle()
+    watcher.wait(5)
+    twin = Session(SCENE, 4)
+    twin.timeline.run(watcher.world.iteration - 1)
+    assert not at_rest(twin.world, twin.rule) and at_rest(watcher.world, watcher.session.rule)
+    assert watcher.session.reached == watcher.session.now and not (let_go and watcher.toy.ahead.due() is not None)
+
+
+def test_the_key_belongs_to_a_control_that_has_the_keyboard(watcher):
+    watcher.click(watcher.control("p"))
+    watcher.press(pygame.K_RIGHT)
+    watcher.wait(3)
+    assert watcher.world.iteration == 0 and not watcher.toy.ahead.held
+
+
+def test_a_button_that_was_clicked_keeps_neither_right_nor_escape_to_itself(watcher):
+    watcher.click(watcher.control("Compare"))
+    watcher.settle()
+    assert len(watcher.toy.former) == 1
+    watcher.key(pygame.K_ESCAPE)
+    assert not watcher.toy.former
+    watcher.click(watcher.control("Flip"))
+    watcher.now_s += 10
+    watcher.wait(2)
+    at = watcher.world.iteration
+    watcher.press(pygame.K_RIGHT)
+    watcher.wait(3)
+    assert watcher.toy.ahead.held and watcher.world.iteration > at
+
+
+def test_the_button_is_held_as_well(watcher):
+    place = watcher.control("Fast")
+    watcher.button(pygame.MOUSEBUTTONDOWN, place)
+    watcher.wait(5)
+    assert watcher.world.iteration > 100
+    watcher.button(pygame.MOUSEBUTTONUP, place)
+    now = watcher.session.now
+    watcher.wait(3)
+    assert watcher.session.now == now
+
+
+def test_settle_stops_at_the_iteration_from_which_nothing_moves(watcher):
+    watcher.key(pygame.K_END)
+    go_on(watcher)
+    session = watcher.session
+    assert at_rest(session.world, session.rule) and same_as_at_own_pace(session)
+    assert f"after {session.world.iteration:,} iterations" in watcher.toy.notices.text
+    still = session.world.sand
+    session.seek(session.now - 1)
+    assert not at_rest(session.world, session.rule) and (session.world.sand != still).any()
+
+
+def test_settled_sand_needs_no_iteration(watcher):
+    for _ in range(2):
+        watcher.key(pygame.K_END)
+        go_on(watcher)
+    assert watcher.toy.notices.text == "Nothing can move here."
+
+
+def test_the_next_flow_is_the_iteration_at_which_a_grain_passes(watcher):
+    session, neck = watcher.session, find_neck(watcher.world)
+    for _ in range(3):
+        before = neck.grains_above(session.world)
+        watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+        go_on(watcher)
+        assert neck.grains_above(session.world) < before and same_as_at_own_pace(session)
+        twin = Session(SCENE, 4)
+        twin.timeline.run(session.world.iteration - 1)
+        assert neck.grains_above(twin.world) == before
+        assert session.reached == session.now
+
+
+def test_a_key_that_went_down_with_shift_is_no_other_when_shift_comes_up_first(watcher):
+    neck = find_neck(watcher.world)
+    for _ in range(2):
+        before = neck.grains_above(watcher.world)
+        watcher.press(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+        go_on(watcher)
+        assert neck.grains_above(watcher.world) < before
+        watcher.press(pygame.K_RIGHT)
+        assert not watcher.toy.ahead.held
+        watcher.release(pygame.K_RIGHT)
+
+
+def test_the_key_comes_up_whatever_else_is_held(watcher):
+    watcher.press(pygame.K_RIGHT)
+    watcher.release(pygame.K_RIGHT, pygame.KMOD_SHIFT)
+    assert not watcher.toy.ahead.held
+
+
+def test_it_is_said_that_nothing_will_pass(watcher):
+    watcher.key(pygame.K_END)
+    go_on(watcher)
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    go_on(watcher)
+    assert watcher.toy.notices.text == "No sand will pass the neck any more."
+    watcher.toy.load("blank")
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    assert "no one neck" in watcher.toy.notices.text
+
+
+def test_an_act_that_moves_sand_past_the_neck_is_no_flow(watcher):
+    watcher.key(pygame.K_END)
+    go_on(watcher)
+    watcher.toy.do(Flip())
+    watcher.toy.ahead.await_flow()
+    watcher.toy.do(Flip())
+    go_on(watcher)
+    assert watcher.toy.notices.text == "No sand will pass the neck any more."
+
+
+def test_escape_stops_it(watcher):
+    watcher.toy.do(SetRule(Rule.with_p(1e-6, "balanced")))
+    watcher.key(pygame.K_END)
+    watcher.wait(3)
+    assert watcher.world.iteration > 0
+    watcher.key(pygame.K_ESCAPE)
+    now = watcher.session.now
+    watcher.wait(3)
+    assert watcher.session.now == now and watcher.toy.running and "Stopped after" in watcher.toy.notices.text
+
+
+def test_undo_and_replay_agree_with_time_that_ran_ahead(watcher):
+    session = watcher.session
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    go_on(watcher)
+    flow = session.now
+    watcher.toy.do(Flip())
+    watcher.key(pygame.K_END)
+    go_on(watcher)
+    end, digest = session.now, session.world.digest()
+    session.seek(flow - 1)
+    session.seek(end)
+    assert session.world.digest() == digest
+    session.undo()
+    assert session.now == end and same_as_at_own_pace(session)
+
+
+def test_an_ending_foreseen_is_where_the_flow_ends(watcher):
+    ending = find_ending(watcher.session.timeline.course())
+    watcher.session.seek(ending.at - 1)
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    go_on(watcher)
+    assert watcher.session.now == ending.at
+
+
+def test_another_lattice_ends_the_wait_for_the_flow(watcher):
+    watcher.toy.ahead.await_flow()
+    watcher.toy.load("blank")
+    watcher.frame()
+    assert watcher.toy.ahead.due() is None
+
+
+def test_an_act_while_the_iteration_is_looked_for_ends_the_search(watcher):
+    watcher.toy.ahead.await_flow()
+    while watcher.toy.ahead.due() != 0:
+        watcher.frame()
+    watcher.toy.do(SetRule(Rule.with_p(0.25)))
+    watcher.settle()
+    assert watcher.toy.ahead.due() is None
+
+
+def without_memory_once(monkeypatch, module, name):
+    """Let a module's function find no memory when it is called for the first time."""
+    function, rooms = getattr(module, name), [MemoryError]
+
+    def tried(*arguments):
+        if rooms:
+            raise rooms.pop()
+        return function(*arguments)
+
+    monkeypatch.setattr(module, name, tried)
+
+
+def test_a_plan_for_which_there_was_no_memory_is_made_later(watcher, monkeypatch):
+    without_memory_once(monkeypatch, run_out_planner, "find_ending")
+    monkeypatch.setattr(run_out_planner, "AGAIN_S", 0.0)
+    for newest in (False, True):
+        watcher.toy.planner.ask()
+        watcher.settle()
+        assert (watcher.toy.planner.newest is not None) == newest
+    assert "not enough memory" in watcher.toy.notices.text
+
+
+def test_an_iteration_for_which_there_was_no_memory_lets_time_go_on(watcher, monkeypatch):
+    without_memory_once(monkeypatch, fast_forward, "first_moment")
+    watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
+    go_on(watcher, frames=50)
+    assert "not enough memory" in watcher.toy.notices.text
+
+
+def test_a_plan_for_what_is_no_longer_so_is_given_up(watcher, monkeypatch):
+    given_up, too_long = threading.Event(), time.monotonic() + 20
+
+    def endless(course, cancelled):
+        while time.monotonic() < too_long:
+            if cancelled():
+                given_up.set()
+                raise Cancelled
+            time.sleep(0.001)
+
+    monkeypatch.setattr(run_out_planner, "PATIENCE_S", 0.0)
+    with monkeypatch.context() as context:
+        context.setattr(run_out_planner, "find_ending", endless)
+        watcher.toy.planner.ask()
+        time.sleep(0.01)
+    watcher.toy.do(Flip())
+    for _ in range(2):
+        assert watcher.toy.planner.ask() is None
+        watcher.settle()
+    assert given_up.is_set() and watcher.toy.planner.newest == watcher.toy.planner.ask()
+
+
+@pytest.mark.parametrize("code", [pygame.K_END, pygame.K_RIGHT])
+def test_in_a_comparison_rest_is_that_of_all_worlds(watcher, code):
+    watcher.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
+    watcher.press(code)
+    for _ in range(600):
+        watcher.frame()
+        if watcher.session.settled:
+            break
+    watcher.wait(30)
+    worlds = watcher.session.sessions.values()
+    assert watcher.session.at_rest and all(at_rest(each.world, each.rule) for each in worlds)
+    twins = [Session(each.scene, 4) for each in worlds]
+    for twin in twins:
+        twin.timeline.run(max(0, watcher.session.now - MOST_TOGETHER))
+    assert not all(at_rest(each.world, each.rule) for each in twins)

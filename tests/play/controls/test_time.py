@@ -1,0 +1,251 @@
+"""Time in the player's hands: rewind, time bar, undo and redo, as hands on keys and mouse bring them about."""
+
+import pygame
+import pytest
+
+from game.world.scenes.scene import load_scene
+from game.world.sessions.action import Flip
+from game.world.sessions.session import BUDGET_NS, Session
+from game.world.sessions.timeline import Timeline
+
+CTRL = pygame.KMOD_LCTRL
+SHIFT = pygame.KMOD_LSHIFT
+
+
+def undo(player):
+    player.key(pygame.K_z, mod=CTRL)
+
+
+def redo(player):
+    player.key(pygame.K_y, mod=CTRL)
+
+
+def digests_of_the_scene(upto):
+    session, found = Session(load_scene("hourglass")), []
+    for _ in range(upto + 1):
+        found.append(session.world.digest())
+        session.step()
+    return found
+
+
+def on_bar(player, share):
+    """Return the place on the time bar at `share` of the way."""
+    track = player.toy.time_bar.track
+    return track.x + round(share * (track.width - 1)), track.centery
+
+
+def test_rewinding_shows_the_past_and_forward_again_is_the_identity(glass):
+    glass.wait(100)
+    glass.hold_time()
+    end, sand = glass.session.now, glass.world.digest()
+    known = digests_of_the_scene(end)
+    glass.press(pygame.K_BACKSPACE)
+    seen = []
+    for _ in range(30):
+        glass.frame()
+        seen.append(glass.session.now)
+        assert glass.world.digest() == known[glass.session.now]
+    glass.release(pygame.K_BACKSPACE)
+    assert seen == sorted(seen, reverse=True) and seen[-1] < end - 60
+    glass.session.paused = False
+    while glass.session.now < end:
+        glass.frame()
+    glass.session.seek(end)
+    assert glass.world.digest() == sand
+
+
+def test_shift_runs_back_faster_and_time_stops_at_the_beginning(glass):
+    glass.wait(120)
+    ways = []
+    for mod in (0, SHIFT):
+        before = glass.session.now
+        glass.press(pygame.K_BACKSPACE, mod=mod)
+        glass.wait(4)
+        ways.append(before - glass.session.now)
+        glass.hold_time()
+        glass.release(pygame.K_BACKSPACE)
+    assert ways[1] > 3 * ways[0] > 0
+    glass.press(pygame.K_BACKSPACE, mod=SHIFT)
+    glass.wait(60)
+    assert glass.session.now == 0 and glass.world.digest() == glass.session.scene.world(0).digest()
+
+
+def test_time_stands_still_while_the_bar_is_held_and_goes_on_after(glass):
+    glass.wait(60)
+    glass.button(pygame.MOUSEBUTTONDOWN, on_bar(glass, 0.5))
+    at = glass.session.now
+    glass.wait(5)
+    assert glass.session.now == at
+    glass.button(pygame.MOUSEBUTTONUP, on_bar(glass, 0.5))
+    glass.wait(5)
+    assert glass.session.now > at
+
+
+def test_the_sand_follows_the_pointer_on_the_time_bar(glass):
+    glass.wait(100)
+    glass.hold_time()
+    end = glass.session.reached
+    known = digests_of_the_scene(end)
+    glass.button(pygame.MOUSEBUTTONDOWN, on_bar(glass, 0.9))
+    for share in (0.7, 0.2, 0.0, 0.35, 1.0, 0.5):
+        glass.move(on_bar(glass, share))
+        assert glass.session.now == pytest.approx(share * end, abs=2)
+        assert glass.world.digest() == known[glass.session.now]
+    glass.button(pygame.MOUSEBUTTONUP, on_bar(glass, 0.5))
+    assert glass.session.reached == end
+
+
+def test_undo_leaves_the_sand_as_it_would_have_been(glass):
+    glass.wait(20)
+    glass.drag(glass.pixel(20, 20), glass.pixel(60, 30))
+    glass.wait(20)
+    glass.hold_time()
+    undo(glass)
+    assert glass.world.digest() == digests_of_the_scene(glass.session.now)[-1]
+
+
+def test_redo_brings_the_stroke_back(player):
+    player.drag(player.pixel(20, 20), player.pixel(60, 30))
+    player.wait(10)
+    player.hold_time()
+    sand = player.world.digest()
+    undo(player)
+    assert player.world.grains == 0
+    redo(player)
+    assert player.world.digest() == sand
+    undo(player)
+    player.key(pygame.K_z, mod=CTRL | SHIFT)
+    assert player.world.digest() == sand
+
+
+def test_a_stroke_with_all_that_it_pours_is_one_step(player):
+    player.button(pygame.MOUSEBUTTONDOWN, player.pixel(60, 20))
+    player.wait(30)
+    player.move(player.pixel(80, 20))
+    player.button(pygame.MOUSEBUTTONUP, player.pixel(80, 20))
+    assert player.world.grains > 100
+    undo(player)
+    assert player.world.grains == 0
+
+
+def test_two_strokes_are_two_steps(player):
+    player.hold_time()
+    player.click(player.pixel(20, 20))
+    some = player.world.grains
+    player.click(player.pixel(60, 20))
+    undo(player)
+    assert player.world.grains == some
+
+
+def test_a_clear_and_a_load_can_be_taken_back(glass):
+    glass.wait(10)
+    glass.hold_time()
+    sand = glass.world.digest()
+    glass.key(pygame.K_c)
+    glass.toy.load("paper")
+    undo(glass)
+    assert glass.session.scene.name == "hourglass" and glass.world.grains == 0
+    undo(glass)
+    assert glass.world.digest() == sand
+
+
+def test_a_drag_of_a_slider_is_one_step(glass):
+    rule = glass.session.rule
+    glass.drag(*(glass.control("p", share) for share in (0.9, 0.6, 0.3, 0.1)))
+    glass.wait(1)
+    first = glass.session.rule
+    glass.drag(*(glass.control("p", share) for share in (0.2, 0.5, 0.8)))
+    undo(glass)
+    assert glass.session.rule == first
+    undo(glass)
+    assert glass.session.rule == rule
+
+
+def test_undo_goes_back_to_the_moment_before_the_act_if_asked_to(glass):
+    glass.wait(20)
+    glass.toy.undo_goes_back = True
+    at = glass.session.now
+    glass.session.do(Flip())
+    glass.wait(60)
+    glass.hold_time()
+    undo(glass)
+    assert glass.session.now == at and glass.world.digest() == digests_of_the_scene(at)[-1]
+
+
+def test_the_panel_takes_back_what_the_keys_take_back(player):
+    player.hold_time()
+    player.click(player.pixel(20, 20))
+    some = player.world.grains
+    player.click(player.control("Undo"))
+    assert player.world.grains == 0
+    player.click(player.control("Redo"))
+    assert player.world.grains == some
+
+
+def test_with_nothing_to_take_back_the_screen_says_so(player):
+    undo(player)
+    assert player.toy.notices.text == "There is nothing to take back."
+    redo(player)
+    assert player.toy.notices.text == "There is nothing to bring back."
+
+
+def test_painting_in_the_past_begins_a_new_future_and_redo_finds_the_old_one(player):
+    player.drag(player.pixel(20, 20), player.pixel(40, 20))
+    player.wait(30)
+    player.drag(player.pixel(80, 20), player.pixel(100, 20))
+    player.wait(30)
+    player.hold_time()
+    end, old = player.session.now, player.world.digest()
+    player.drag(on_bar(player, 0.9), on_bar(player, 0.4))
+    player.drag(player.pixel(50, 60), player.pixel(60, 60))
+    new = player.session.now
+    assert player.session.reached == new < end
+    redo(player)
+    player.session.seek(end)
+    assert player.world.digest() == old
+
+
+def test_the_marks_of_acts_and_flips_lie_where_they_happened(player):
+    player.wait(20)
+    first = player.session.now
+    player.click(player.pixel(20, 20))
+    player.wait(20)
+    second = player.session.now
+    player.toy.do(Flip())
+    player.frame()
+    marks = player.toy.time_bar.marks
+    assert marks.acts.tolist() == [pytest.approx(first, abs=8)]
+    assert marks.strong.tolist() == [second]
+    undo(player)
+    assert marks.strong.tolist() == []
+
+
+def test_every_grain_of_the_session_is_on_the_books(player):
+    player.drag(player.pixel(20, 20), player.pixel(40, 20))
+    player.wait(20)
+    player.drag(player.pixel(20, 60), player.pixel(60, 85), button=3)
+    player.wait(20)
+    line = player.toy.hud.drawing(pygame.Rect(0, 0, 2000, 30), player.session)[1][2]
+    assert f"{player.world.grains} grains" in line
+    player.toy.figures.toggle()
+    player.wait(20)
+    account, words = player.session.account, " ".join(player.toy.figures.lines)
+    books = f"0 at the start + {account.painted} painted - {account.erased} erased = {player.world.grains} now"
+    assert books in words and "MB" in words
+
+
+def test_a_frame_waits_once_for_a_moment_that_is_far_whatever_is_done_in_it(glass, monkeypatch):
+    budgets = []
+
+    def catch_up(timeline, budget_ns=None):
+        budgets.append(budget_ns)
+        return caught_up(timeline, budget_ns)
+
+    caught_up = Timeline.catch_up
+    glass.session.seek(2**40, budget_ns=1)
+    glass.pointer = pos = glass.pixel(90, 60)
+    monkeypatch.setattr(Timeline, "catch_up", catch_up)
+    moves = [pygame.event.Event(pygame.MOUSEMOTION, pos=pos, rel=(0, 0), buttons=(1, 0, 0))] * 3
+    glass.frame(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=pos, button=1), *moves)
+    assert len(budgets) >= 2 and sum(budgets) <= glass.toy.SEEK_NS + BUDGET_NS
+    assert not glass.session.timeline.history.can_undo(2**40)

@@ -1,0 +1,245 @@
+"""The forecast in its window: over the sand, beside the frames, and honest about its age."""
+
+import threading
+
+import numpy as np
+import pygame
+import pytest
+
+from game import Rule
+from game.core.draw.heatmap import ALWAYS, NEVER
+from game.play.forecast import legend
+from game.play.forecast.forecasting import STALE_S, Forecasting
+from game.world.background.forecast_thread import Forecaster
+from game.world.looks.heatmap_colours import cover
+from game.world.looks.painter import rgb
+from game.world.looks.themes import THEMES
+from game.world.looks.view import View
+from game.world.sand.ensemble import Cancelled, counts_at
+from game.world.sessions.action import Flip, SetRule
+from tests.play.player import FRAME_NS, Player
+
+
+@pytest.fixture
+def paper():
+    """Return a Player of the paper's glass, p = 0.5, paused after a while."""
+    player = Player("paper")
+    player.session.do(SetRule(Rule.with_p(0.5)))
+    player.wait(60)
+    player.hold_time()
+    yield player
+    player.toy.forecasting.close()
+    pygame.display.quit()
+
+
+SHADE = 12  # of 255, by which air in a wall's shadow or a glass differs from other air under a forecast
+
+
+def pixels_of(player):
+    """Return the stage's pixels as the player sees them, (h, w, 3)."""
+    return pygame.surfarray.array3d(player.toy.window.surface).swapaxes(0, 1).astype(int)
+
+
+def see_forecast(player, runs=10_000):
+    """Wait for the forecast of the present moment and return the Answer."""
+    forecasting = player.toy.forecasting
+    if not forecasting.shown:
+        player.key(pygame.K_h, "h")
+    for _ in range(4000):
+        answer = forecasting.answer
+        asked = answer and (answer.question.about[0], answer.question.start, answer.runs)
+        if asked == (forecasting._matter(), player.world.iteration, runs):
+            player.frame(elapsed_ns=0)
+            return answer
+        threading.Event().wait(0.005)
+        player.frame(elapsed_ns=0)
+    raise AssertionError("no forecast")
+
+
+class Stuck(Forecaster):
+    """A forecaster whose runs take forever, unless they are let go."""
+
+    def __init__(self):
+        self.free = threading.Event()
+        super().__init__(self._runs)
+
+    def _runs(self, sand, walls, rule, ahead, runs, seed, start, cancelled, fixtures):
+        while not self.free.wait(0.002):
+            if cancelled():
+                raise Cancelled
+        yield runs, np.where(walls, 0, runs).astype(np.int64)
+
+
+@pytest.fixture
+def stuck(player):
+    """Return the forecaster of a blank scene with the forecast on, which says nothing yet."""
+    toy, forecaster = player.toy, Stuck()
+    forecasting = Forecasting(toy, forecaster)
+    toy.overlays[toy.overlays.index(toy.forecasting)] = forecasting
+    toy.watchers[toy.watchers.index(toy.forecasting)] = forecasting
+    toy.forecasting = forecasting
+    player.key(pygame.K_h, "h")
+    yield forecaster
+    forecasting.close()
+
+
+def test_h_lays_over_the_sand_what_so_many_runs_say(paper):
+    bare = pixels_of(paper)
+    answer = see_forecast(paper)
+    world, ahead = paper.world, paper.toy.forecasting.ahead
+    expected = counts_at(world.sand, world.walls, Rule.with_p(0.5), [ahead], 10_000, world.seed, world.iteration)[0]
+    assert (answer.counts == expected).all()
+    paper.toy.overlays.remove(paper.toy.forecasting)  # the legend
+    paper.toy.refresh()
+    paper.frame(elapsed_ns=0)
+    seen, (kept, laid) = pixels_of(paper), cover(lambda *colour: colour[0] << 16 | colour[1] << 8 | colour[2])
+    for row, column in np.ndindex(world.shape):
+        x, y = paper.pixel(column, row)
+        level = answer.levels[row, column]
+        tint = [int(laid[level]) >> shift & 255 for shift in (16, 8, 0)]
+        assert (seen[y, x] == (bare[y, x] * int(kept[level]) >> 8) + tint).all()
+    assert (answer.levels == ALWAYS).any() and (~world.sand & (answer.levels[:, :] > 0) & ~world.walls).any()
+
+
+def test_h_again_takes_the_forecast_away_and_ends_its_thread(paper):
+    bare = pixels_of(paper)
+    see_forecast(paper)
+    thread = paper.toy.forecasting.forecaster._thread
+    assert (pixels_of(paper) != bare).any()
+    paper.key(pygame.K_h, "h")
+    paper.frame(elapsed_ns=0)
+    area = paper.toy.layout.sand
+    assert (pixels_of(paper)[: area.bottom, : area.right] == bare[: area.bottom, : area.right]).all()
+    assert not thread.is_alive()
+
+
+def test_closing_the_toy_ends_the_thread(paper):
+    see_forecast(paper)
+    thread = paper.toy.forecasting.forecaster._thread
+    paper.toy.close()
+    assert not thread.is_alive()
+
+
+def test_a_frame_never_waits_for_the_runs(player, stuck):
+    before = player.world.iteration
+    player.drag(player.pixel(20, 20), player.pixel(60, 20))
+    player.wait(30)  # would not come back if it waited
+    assert stuck.working and stuck.answer is None
+    assert player.world.iteration > before + 30 and player.world.grains > 0
+    assert player.toy.forecasting._legend.lines[1] == "Computing the first runs …"
+
+
+def test_nothing_is_drawn_while_nothing_changes(paper):
+    see_forecast(paper)
+    paper.wait(3)
+    assert not any(paper.frame() for _ in range(12))
+
+
+def test_a_forecast_that_answers_another_question_is_shown_as_stale(player, stuck):
+    forecasting = player.toy.forecasting
+    player.hold_time()
+    stuck.free.set()
+    see_forecast(player)
+    assert not forecasting.stale and not player.toy.stage.veil.stale
+    stuck.free.clear()
+    forecasting.ahead += 1
+    player.frame()
+    assert not forecasting.stale  # it is about to be answered
+    player.wait(int(STALE_S * 1e9 / FRAME_NS) + 2)
+    assert forecasting.stale and player.toy.stage.veil.stale
+    stuck.free.set()
+    see_forecast(player)
+    assert not forecasting.stale and not player.toy.stage.veil.stale
+
+
+@pytest.mark.parametrize("act", [SetRule(Rule.with_p(0.1)), Flip()])
+def test_whatever_is_done_to_the_world_is_another_question(paper, act):
+    first = see_forecast(paper)
+    paper.session.do(act)
+    second = see_forecast(paper)
+    assert (second.counts != first.counts).any()
+    sand, walls, world = paper.world.sand, paper.world.walls, paper.world
+    expected = counts_at(sand, walls, paper.session.rule, [200], 10_000, world.seed, world.iteration)[0]
+    assert (second.counts == expected).all()
+
+
+def test_the_legend_tells_runs_error_moment_and_the_cell_under_the_pointer(paper):
+    answer = see_forecast(paper)
+    row, column = np.argwhere((answer.counts > 2000) & (answer.counts < 8000))[0]
+    paper.pointer = paper.pixel(column, row)
+    paper.wait(20)
+    title, runs, ahead, when, here = paper.toy.forecasting._legend.lines
+    share = answer.counts[row, column] / 10_000
+    assert title == f"Sand at iteration {paper.session.now + 200:,}"
+    assert ahead == "200 iterations ahead" and when == "Computed now"
+    assert runs == "10,000 runs: ± 0.5 % at most"
+    assert here == f"Here {100 * share:.1f} ± {100 * (share * (1 - share) / 10_000) ** 0.5:.1f} %"
+
+
+@pytest.mark.parametrize("theme", THEMES)
+def test_never_and_always_have_the_same_colours_in_the_legend_and_in_the_picture(paper, theme):
+    paper.toy.settings.override("theme", theme)
+    answer, bar = see_forecast(paper), pygame.Surface((256, 1))
+    legend._draw_bar(bar, paper.toy.theme, bar.get_rect(), False)
+    paper.toy.overlays.remove(paper.toy.forecasting)  # the legend
+    paper.toy.refresh()
+    paper.frame(elapsed_ns=0)
+    seen, world = pixels_of(paper), paper.world
+    for level, x in ((NEVER, 0), (ALWAYS, 255)):
+        cells = np.argwhere((answer.levels == level) & ~world.sand)
+        drawn = [seen[paper.pixel(column, row)[::-1]] for row, column in cells]
+        assert np.median(np.abs(np.array(drawn) - bar.get_at((x, 0))[:3]).max(axis=1)) <= SHADE
+
+
+def test_the_legend_stands_in_the_leading_pane_of_a_comparison_clear_of_the_badge():
+    player = Player("hourglass")
+    pygame.display.set_mode((1280, 720), pygame.RESIZABLE, 32)
+    player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
+    player.key(pygame.K_h, "h")
+    player.wait(1)
+    toy = player.toy
+    toy.camera.zoom(1)
+    (card,), badge = (
+        each.draw(toy.window.surface, toy.theme, toy.layout.sand) for each in (toy.forecasting, toy.camera.badge)
+    )
+    assert toy.stage.area.contains(card) and card.collidelist(badge) < 0
+    toy.close()
+    pygame.display.quit()
+
+
+def test_another_scene_has_no_forecast_of_the_one_before(player, stuck):
+    stuck.free.set()
+    player.hold_time()
+    see_forecast(player)
+    stuck.free.clear()
+    player.toy.load("paper")
+    player.wait(2)
+    assert player.toy.stage.veil is None and player.toy.forecasting.answer is None
+
+
+def test_the_forecast_follows_the_view_in_and_out(paper):
+    answer = see_forecast(paper)
+    for cell in (30.0, 3.0, 0.4):
+        view = View.near((61, 61), tuple(paper.toy.stage.area), cell, (30.5, 50.5), *paper.toy.stage.area.center)
+        paper.toy.stage.show(view)
+        paper.frame(elapsed_ns=0)
+        veil = paper.toy.stage.veil
+        pixels = np.zeros(paper.toy.window.size[::-1], np.uint32)
+        veil.draw(pixels, view, [(0, pixels.shape[0])], rgb)
+        _, laid = cover(rgb)
+        left, top, right, bottom = view.seen
+        assert not pixels[:top].any() and not pixels[bottom:].any() and not pixels[:, :left].any()
+        if not view.dense:
+            seen = laid[answer.levels[view.rows][:, view.columns]]
+            assert (pixels[top:bottom, left:right] == seen).all() and seen.any()
+
+
+def test_a_veil_drawn_span_by_span_is_the_veil_drawn_at_once(paper):
+    see_forecast(paper)
+    veil, view = paper.toy.stage.veil, paper.toy.stage.view
+    once = np.random.default_rng(92).integers(0, 2**24, paper.toy.window.size[::-1]).astype(np.uint32)
+    by_spans = once.copy()
+    veil.draw(once, view, [(0, once.shape[0])], rgb)
+    for top in range(0, once.shape[0], 37):
+        veil.draw(by_spans, view, [(top, min(top + 37, once.shape[0]))], rgb)
+    assert (by_spans == once).all()

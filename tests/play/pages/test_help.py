@@ -1,0 +1,104 @@
+"""Laws of the page of keys: all of them, none cut, none over another, on one screen or to be scrolled to."""
+
+import itertools
+
+import pygame
+import pytest
+
+from game.play.controls import keymap
+from game.play.controls.commands import Commands
+from game.play.pages import help as page
+from game.play.pages.help import groups, lay_out
+from game.play.ui import draw_list
+from game.play.ui.theme import Theme
+from game.play.view.dialog import Answer
+from tests.play.player import Player
+
+SIZES = (640, 480), (1280, 720), (3840, 2160)
+SCALES = 0.75, 1, 1.5, 3
+
+
+@pytest.mark.parametrize("scale", SCALES)
+@pytest.mark.parametrize("size", SIZES)
+def test_every_key_is_on_the_page_and_none_is_cut_or_covered(size, scale):
+    window = pygame.Rect((0, 0), size)
+    laid = lay_out(Theme(scale), window)
+    theme, strokes = laid.theme, laid.frame + laid.rows
+    written = [(rect, text, kind) for stroke, rect, text, kind, *_ in strokes if stroke is draw_list.words]
+    assert {text for _, text, _ in written} >= {word for _, rows in groups() for row in rows for word in row}
+    assert window.contains(laid.frame[0][1]) and laid.frame[0][1].contains(laid.room)
+    for rect, text, kind in written:
+        assert theme.width(text, kind) <= rect.width and theme.line_height(kind) <= rect.height + 2
+        assert window.contains(rect) or (laid.more and laid.room.contains(rect.move(0, laid.room.y - rect.y)))
+    for (one, *_), (other, *_) in itertools.combinations(written[2:], 2):
+        assert not one.colliderect(other)
+    assert max(rect.bottom for rect, *_ in written) - laid.more * laid.line == laid.room.bottom
+
+
+def test_all_keys_are_on_one_screen_unless_the_text_would_be_much_smaller_than_asked_for():
+    for size in SIZES:
+        for scale in SCALES:
+            laid = lay_out(Theme(scale), pygame.Rect(0, 0, *size))
+            assert laid.theme.scale >= 0.8 * scale or laid.lines == laid.more + laid.seen
+    assert not any(lay_out(Theme(1), pygame.Rect(0, 0, *size)).more for size in SIZES[1:])
+    assert lay_out(Theme(2), pygame.Rect(0, 0, 1360, 860)).theme.scale >= 1.6
+    assert lay_out(Theme(1), pygame.Rect(0, 0, 640, 480)).theme.scale == 1
+
+
+def test_wheel_and_keys_scroll_to_the_last_line_and_back():
+    player = Player("hourglass", (640, 480))
+    player.key(pygame.K_F1)
+    page, at = player.toy.help, player.session.now
+    assert page._page.more
+    for code, tops in ((pygame.K_DOWN, 1), (pygame.K_END, page._page.more), (pygame.K_HOME, 0)):
+        player.key(code)
+        assert page._top == tops
+    for _ in range(50):
+        player.frame(pygame.event.Event(pygame.MOUSEWHEEL, y=-1, x=0))
+    assert page._top == page._page.more and page.shown and player.session.now > at
+    player.wait(1)
+    assert not player.frame()
+    pygame.display.quit()
+
+
+def test_a_quarter_more_keys_still_fit(monkeypatch):
+    more = {title: (*rows, *rows[::4]) for title, rows in keymap.GROUPS.items()}
+    monkeypatch.setattr(page, "GROUPS", more)
+    for size in SIZES:
+        window = pygame.Rect(0, 0, *size)
+        assert all(window.contains(rect) for _, rect, *_ in lay_out(Theme(1), window).frame)
+
+
+def test_every_key_gives_a_command_that_there_is():
+    assert all(hasattr(Commands, key.command.split()[0]) for key in keymap.KEYS if key.codes)
+
+
+def test_no_two_commands_share_a_key():
+    taken = [(code, key.mods) for key in keymap.KEYS for code in key.codes]
+    assert len(taken) == len(set(taken))
+
+
+def test_what_the_page_hides_hears_no_key(glass):
+    answers = Answer("Yes", None, pygame.K_RETURN, "Enter"), Answer("Later", None, pygame.K_ESCAPE, "Esc")
+    glass.toy.question.ask("Go on?", "Words.", answers)
+    glass.key(pygame.K_F1)
+    for key in (pygame.K_RETURN, pygame.K_ESCAPE):
+        glass.key(key)
+        assert glass.toy.question.shown
+    assert not glass.toy.help.shown
+    glass.key(pygame.K_RETURN)
+    assert not glass.toy.question.shown
+
+
+def test_the_upper_of_two_pages_is_closed_first(glass):
+    for key in (pygame.K_F2, pygame.K_F1, pygame.K_ESCAPE):
+        glass.key(key)
+    assert glass.toy.page is glass.toy.gallery
+
+
+def test_a_click_closes_the_page_and_keys_go_on_working(glass):
+    glass.key(pygame.K_F1)
+    glass.key(pygame.K_SPACE, " ")
+    assert glass.session.paused
+    glass.click((400, 300))
+    assert not glass.toy.help.shown and glass.session.world.grains == glass.session.account.start

@@ -1,0 +1,133 @@
+"""The hourglass maker in the panel: the glass changes under a slider, the sand stays, and one undo takes it back."""
+
+import pygame
+import pytest
+
+from game.play.panel.glass_section import running_time
+from game.world.scenes.hourglass_maker import HEIGHT
+from game.world.scenes.scene import load_scene
+from game.world.sessions.run_out import find_ending
+from tests.play.player import Player
+
+
+@pytest.fixture
+def maker():
+    """Return a player of the hourglass with the maker open and time held."""
+    player = Player("hourglass", size=(900, 1400))
+    player.toy.panel.glass.open = True
+    player.hold_time()
+    player.session.timeline.run(200)
+    player.wait(1)
+    yield player
+    pygame.display.quit()
+
+
+def drag(player, name, *shares):
+    """Drag a slider along its track."""
+    player.drag(*(player.control(name, share) for share in shares))
+    player.settle()
+
+
+@pytest.mark.parametrize(("name", "share"), [("Neck", 0.5), ("Curve", 0.6), ("Wall", 0.35), ("Glass size", 0.8)])
+def test_the_sand_stays_in_the_glass_that_changes(maker, name, share):
+    grains, walls = maker.world.grains, maker.world.walls
+    drag(maker, name, share, share + 0.02, share + 0.04)
+    glass = maker.session.scene.glass
+    assert maker.world.grains == grains and maker.session.account.balanced(maker.world)
+    assert maker.world.walls.shape != walls.shape or (maker.world.walls != walls).any()
+    assert not (maker.world.sand & ~glass.inside()).any()
+
+
+def test_one_undo_takes_a_drag_back(maker):
+    before = maker.world.digest()
+    drag(maker, "Wall", 0.4, 0.5, 0.6, 0.7)
+    drag(maker, "Curve", 0.4, 0.5, 0.6)
+    maker.session.undo()
+    assert maker.session.scene.glass.curve == pytest.approx(0.95) and maker.world.digest() != before
+    maker.session.undo()
+    assert maker.world.digest() == before
+
+
+def test_the_fill_slider_fills_the_upper_bulb(maker):
+    drag(maker, "Fill", 0.3)
+    glass = maker.session.scene.glass
+    assert glass.fill == pytest.approx(0.3, abs=0.05) and (maker.world.sand == glass.cells()[0]).all()
+    assert maker.session.account.balanced(maker.world)
+
+
+def test_a_glass_too_small_for_its_sand_is_filled_anew(maker):
+    drag(maker, "Glass size", 0.3)
+    glass = maker.session.scene.glass
+    assert glass.height < 120 and maker.world.grains == glass.cells()[0].sum()
+    assert "filled anew" in maker.toy.notices.text and maker.session.account.balanced(maker.world)
+
+
+def test_how_long_it_runs_is_told(maker):
+    drag(maker, "Glass size", 0.5)
+    maker.wait(2)
+    left = find_ending(maker.session.timeline.course()).at - maker.session.now
+    seconds = round(left / maker.session.clock.speed)
+    assert f"Runs for {seconds // 60}:{seconds % 60:02} more" in running_time(maker.toy)
+
+
+def test_restart_fills_the_glass_that_was_made(maker):
+    drag(maker, "Wall", 0.5)
+    glass = maker.session.scene.glass
+    maker.key(pygame.K_r, "r")
+    assert maker.session.scene.glass == glass and (maker.world.sand == glass.cells()[0]).all()
+
+
+def test_any_scene_can_become_a_glass(maker):
+    maker.toy.load("funnel")
+    maker.wait(1)
+    grains = maker.world.grains
+    maker.click(maker.control("Make a glass"))
+    assert maker.session.scene.glass is not None and maker.world.grains == grains
+
+
+@pytest.mark.parametrize("size", [(64, 600), (100, 1000), (16384, 16), (3, 30)])
+def test_a_lattice_of_any_proportions_becomes_a_glass_of_any_size(maker, size):
+    maker.toy.open_scene(load_scene("blank", size), 1)
+    maker.wait(1)
+    maker.click(maker.control("Make a glass"))
+    maker.wait(1)
+    for start, end, height in ((0.4, -0.1, HEIGHT.low), (0.6, 1.1, HEIGHT.high)):
+        drag(maker, "Glass size", start, end)
+        assert maker.session.scene.glass.height == maker.world.shape[0] == height
+
+
+def test_a_glass_that_was_made_is_saved_like_any_scene(maker):
+    drag(maker, "Wall", 0.5)
+    sand, walls = maker.world.sand, maker.world.walls
+    maker.key(pygame.K_s, mod=pygame.KMOD_CTRL)
+    maker.settle()
+    path = maker.toy.notices.text.removeprefix("Saved as ")
+    maker.toy.load("blank")
+    maker.drop(path)
+    assert (maker.world.sand == sand).all() and (maker.world.walls == walls).all()
+
+
+def test_a_slider_stays_under_the_pointer_when_lines_above_it_go():
+    player = Player("hourglass", size=(900, 560))  # low: the fold is scrolled to
+    player.toy.panel.glass.open = True
+    player.hold_time()
+    player.wait(1)
+    places = [player.control("Neck", share) for share in (0.2, 0.3, 0.4)]
+    player.drag(*places)
+    player.settle()
+    assert player.session.scene.name == "glass" and not player.session.scene.notice
+    rect = player.toy.panel.ui.rects["Neck"]
+    assert rect.collidepoint(places[-1])
+    pygame.display.quit()
+
+
+def test_a_drag_to_a_small_glass_and_back_leaves_a_full_one(maker):
+    start = maker.session.scene.glass
+    track = maker.parts("Glass size")[0]
+    pos = maker.control("Glass size", 0.6)
+    maker.drag(*((track.left + int(share * track.width), pos[1]) for share in (0.6, 0.3, 0.1, 0.3, 0.6)))
+    maker.settle()
+    glass = maker.session.scene.glass
+    assert (maker.world.sand == glass.cells()[0]).all() and maker.session.account.balanced(maker.world)
+    assert glass.fill == start.fill and maker.world.grains > 1000
+    assert "filled anew" not in (maker.toy.notices.text or "")

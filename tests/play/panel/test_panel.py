@@ -1,0 +1,188 @@
+"""Laws of the layout: nothing overlaps, nothing is cut, everything says what it does and can be done by keyboard alone.
+
+They hold in small and large windows, at every size of the panel, with all folds open and with none.
+"""
+
+import itertools
+
+import pygame
+import pytest
+from PIL import Image
+
+from game.play.ui import draw_list
+from game.play.ui.input import key_name
+from game.play.ui.widgets import Ui
+from game.world.scenes.scene import load_scene, scene_names
+
+SIZES = (640, 480), (1280, 720), (3840, 2160)
+SCALES = 0.75, 1, 1.5, 3
+TINY = (1, 1), (60, 300), (640, 20), (200, 60), (321, 241), (3000, 100)
+ESSENTIALS = "Scene", "Gallery", "Tool", "Paint", "Colour", "Size", "p", "Speed", "Pause", "Flip", "Undo", "Restart"
+
+
+@pytest.fixture
+def unfolded(monkeypatch):
+    """Let every fold be open."""
+    fold = Ui.fold
+    monkeypatch.setattr(Ui, "fold", lambda ui, label, is_open, **how: fold(ui, label, True, **how) or True)
+
+
+def seen(player, size, scale):
+    """Show the window in a size and at a scale, with all there is in its panel."""
+    toy = player.toy
+    toy.settings["sound"] = True
+    toy.settings.override("ui_scale", scale)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    player.frame()
+    return toy.panel.ui
+
+
+def overlapping(rects):
+    """Return the first two of {name: rect} that share a pixel, or None."""
+    pairs = itertools.combinations(rects.items(), 2)
+    return next(((one, other) for (one, a), (other, b) in pairs if a.colliderect(b)), None)
+
+
+def check(player, size, scale):
+    ui = seen(player, size, scale)
+    width = ui._rect.width
+    assert overlapping({name: slot.rect for name, slot in ui.focus.slots.items()}) is None
+    assert all(slot.ring.left >= 0 and slot.ring.right <= width for slot in ui.focus.slots.values())
+    written = [(pygame.Rect(rect), *how[:2]) for stroke, rect, *how in ui._strokes if stroke is draw_list.words]
+    column = pygame.Rect(0, 0, width, 10**6)
+    assert [text for rect, text, kind in written if ui.theme.width(text, kind) > rect.width] == []
+    assert [text for rect, text, _ in written if not column.contains(rect)] == []
+
+
+@pytest.mark.parametrize("scale", SCALES)
+@pytest.mark.parametrize("size", SIZES)
+def test_no_control_overlaps_another_and_no_word_is_cut(glass, size, scale):
+    check(glass, size, scale)
+
+
+@pytest.mark.parametrize("scale", SCALES)
+@pytest.mark.parametrize("size", SIZES)
+def test_nor_with_all_folds_open(glass, size, scale, unfolded):
+    check(glass, size, scale)
+
+
+@pytest.mark.parametrize("scale", SCALES)
+@pytest.mark.parametrize("size", SIZES)
+def test_the_parts_of_the_window_share_it_without_a_gap(glass, size, scale):
+    seen(glass, size, scale)
+    layout = glass.toy.layout
+    parts = {name: getattr(layout, name) for name in ("panel", "sand", "bar", "hud")}
+    assert overlapping(parts) is None
+    assert sum(rect.width * rect.height for rect in parts.values()) == size[0] * size[1]
+    assert layout.sand.width >= size[0] // 2 - 1 and layout.sand.height > size[1] // 2
+
+
+@pytest.mark.parametrize("scale", (0.75, 3))
+@pytest.mark.parametrize("size", TINY)
+def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, scale):
+    Image.new("RGB", (64, 48), "gold").save(tmp_path / "photo.png")
+    seen(glass, size, scale)
+    glass.drop(tmp_path / "photo.png")
+    for command, *words in (["turn", 1], ["zoom", 1], ["show_scenes"], ["show_scenes"], ["toggle_help"]):
+        getattr(glass.toy.commands, command)(*words)
+        glass.wait(2)
+        stage, layout, pixels = glass.toy.stage, glass.toy.layout, glass.toy.window.surface.get_rect()
+        left, top, right, bottom = stage.view.seen
+        shown = layout.panel, layout.sand, layout.bar, layout.hud, pygame.Rect(left, top, right - left, bottom - top)
+        assert all(pixels.contains(rect) and rect.width > 0 < rect.height for rect in shown)
+    assert glass.toy.photo.shown and glass.toy.help.shown
+
+
+@pytest.mark.parametrize("name", scene_names())
+def test_what_a_newcomer_reaches_for_is_in_sight_without_scrolling(glass, name):
+    glass.toy.open_scene(load_scene(name), 0)
+    ui = seen(glass, (1280, 720), 1)
+    assert ui.focus.scroll.offset == 0
+    assert [each for each in ESSENTIALS if not ui._rect.contains(ui.rects[each])] == []
+    tops = [ui.rects[each].y for each in ESSENTIALS]
+    assert tops == sorted(tops)
+
+
+def test_every_button_of_time_and_window_shows_its_key_clear_of_its_label(glass):
+    ui = seen(glass, (1280, 720), 1)
+    keys = {
+        "Pause": "Space",
+        "Flip": "F",
+        "Turn left": "Ctrl+F",
+        "Turn right": "Shift+F",
+        "Undo": "Ctrl+Z",
+        "Redo": "Ctrl+Y",
+        "Restart": "R",
+        "Clear": "C",
+        "Step": ".",
+    }
+    keys |= {"Fast": "Right", "Settle": "End", "Flow": "Shift+Right", "Full screen": "F11", "Keys": "F1"}
+    written = [(pygame.Rect(rect), *how) for stroke, rect, *how in ui._strokes if stroke is draw_list.words]
+    for name, key in keys.items():
+        inside = [each for each in written if ui.focus.slots[name].rect.contains(each[0])]
+        (label, text, kind, *_), (hint, word, small, *_) = sorted(inside, key=lambda each: each[2], reverse=True)
+        assert (text, word) == (name, key_name(key))
+        assert (label.width + ui.theme.width(text, kind)) // 2 + label.x < hint.right - ui.theme.width(word, small)
+
+
+def test_every_control_says_what_it_does(glass, unfolded):
+    ui = seen(glass, (1280, 720), 1)
+    for name, slot in ui.focus.slots.items():
+        words = slot.tip.partition("  (")[0]
+        assert len(words.split()) >= 2 and words != name and words[0].isupper(), (name, slot.tip)
+
+
+def test_every_control_is_reached_by_tab_and_comes_into_sight(glass, unfolded):
+    ui = seen(glass, (640, 480), 1)
+    live, reached = {name for name, slot in ui.focus.slots.items() if slot.live}, []
+    for _ in live:
+        glass.key(pygame.K_TAB)
+        reached.append(ui.focus.name)
+        assert ui._rect.contains(ui.rects[ui.focus.name]), ui.focus.name
+    assert set(reached) == live
+
+
+def test_every_control_is_worked_by_keyboard(glass, unfolded, monkeypatch):
+    ui = seen(glass, (1000, 700), 1)
+    heard = []
+    claim = Ui.claim
+
+    def noted(self, name, rect, **how):
+        me = claim(self, name, rect, **how)
+        heard.extend(me.name for act in me.acts if act.kind == "key")
+        return me
+
+    monkeypatch.setattr(Ui, "claim", noted)
+    for name in [name for name, slot in ui.focus.slots.items() if slot.live]:
+        for _ in ui.focus.slots:
+            if ui.focus.name != name:
+                glass.key(pygame.K_TAB)
+        if name not in ui.focus.slots:  # an act before this one took it away
+            continue
+        keys = ui.focus.slots[name].keys
+        heard.clear()
+        glass.key(next(key for key in (pygame.K_RIGHT, pygame.K_RETURN, pygame.K_DOWN) if key in keys))
+        assert name in heard, name
+        back(glass)
+
+
+def back(player):
+    """Close what a control has opened."""
+    for _ in range(3):
+        if player.toy.page or player.toy.panel.ui.focus.popup or player.toy.question.shown:
+            player.key(pygame.K_ESCAPE)
+    if player.toy.window.fullscreen:
+        player.toy.commands.toggle_fullscreen()
+        player.frame()
+
+
+def test_full_screen_and_back_leaves_the_window_as_it_was(player):
+    size = player.toy.window.size
+    for _ in range(2):
+        player.key(pygame.K_F11)
+        player.wait(2)
+        assert player.toy.window.size == pygame.display.get_desktop_sizes()[0] != size
+        player.key(pygame.K_F11)
+        player.wait(2)
+        assert player.toy.window.size == size

@@ -1,0 +1,238 @@
+"""The plots: beside the sand, never over anything, and nothing at all when closed."""
+
+import csv
+from dataclasses import fields, replace
+from itertools import pairwise
+
+import numpy as np
+import pygame
+import pytest
+
+from game.play.plots import charts
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+from game.play.ui.theme import Theme
+from game.play.window.layout import Layout
+from game.world.sand.grain_account import Account
+from game.world.sessions.action import Clear, Paint
+from game.world.sessions.measurements import COLUMNS
+from tests.play.player import Player
+
+
+@pytest.mark.parametrize("panel_shown", [True, False])
+@pytest.mark.parametrize("shape", [(240, 180), (90, 400), (1, 1)])
+@pytest.mark.parametrize(("size", "scale"), [((640, 480), 1), ((1280, 720), 1), ((1280, 720), 2), ((3840, 2160), 3)])
+def test_the_plots_take_room_from_the_sand_alone(size, scale, shape, panel_shown):
+    with_plots = Layout(Theme(scale), size, panel_shown, shape)
+    without = Layout(Theme(scale), size, panel_shown)
+    parts = [with_plots.sand, with_plots.bar, with_plots.hud, *[with_plots.panel] * panel_shown]
+    assert (with_plots.bar, with_plots.hud, with_plots.panel) == (without.bar, without.hud, without.panel)
+    if with_plots.plots is None:
+        assert with_plots.sand == without.sand
+        return
+    assert not any(with_plots.plots.colliderect(each) for each in parts)
+    assert with_plots.plots.union(with_plots.sand) == without.sand
+
+
+def test_l_shows_them_and_takes_them_away(glass):
+    before = glass.toy.layout.sand
+    glass.key(pygame.K_l, "l")
+    glass.wait(20)
+    assert glass.toy.layout.plots and glass.toy.layout.sand.width < before.width
+    glass.key(pygame.K_l, "l")
+    glass.wait(1)
+    assert glass.toy.layout.plots is None and glass.toy.layout.sand == before
+
+
+def test_closed_they_measure_nothing(glass, monkeypatch):
+    monkeypatch.setattr("game.play.plots.plots.Watch.follow", None)  # would not be called in vain
+    glass.wait(40)
+
+
+def test_still_plots_of_a_still_world_are_not_drawn_again(glass):
+    glass.key(pygame.K_l, "l")
+    glass.hold_time()
+    glass.wait(40)
+    area = glass.toy.layout.plots
+    assert glass.toy.plots.draw(glass.toy.window.surface) == []
+    glass.toy.screen.forget()
+    assert glass.toy.plots.draw(glass.toy.window.surface) == [area]
+
+
+def test_a_window_without_room_says_so():
+    player = Player("hourglass", (640, 480))
+    player.key(pygame.K_l, "l")
+    assert player.toy.layout.plots is None and "too small" in player.toy.notices.text
+    pygame.display.quit()
+
+
+def test_the_tables_are_saved_with_a_header(glass, own_folder):
+    glass.key(pygame.K_l, "l")
+    glass.wait(60)
+    glass.hold_time()
+    glass.key(pygame.K_l, "L", pygame.KMOD_SHIFT)
+    glass.settle()
+    story, profile = sorted((own_folder / "measures").glob("*.csv"), key=lambda path: len(path.name))
+    rows = list(csv.reader(story.open(newline="")))
+    assert tuple(rows[0]) == COLUMNS and len(rows) > 3
+    assert all(int(row[2]) + int(row[3]) == glass.world.grains for row in rows[1:])
+    assert len(list(csv.reader(profile.open(newline="")))) == glass.world.shape[1] + 1
+
+
+def test_the_row_is_the_neck_unless_the_player_sets_another(glass):
+    plots = glass.toy.plots
+    assert plots.measured_row == 120
+    plots.measured_row = 77
+    glass.key(pygame.K_l, "l")
+    glass.wait(2)
+    assert plots._watch.row == 77
+    glass.toy.load("paper")
+    glass.wait(2)
+    assert plots._watch.row == 30
+
+
+def test_the_row_lies_in_the_lattice_however_it_is_turned(player):
+    plots, (high, wide) = player.toy.plots, player.world.shape
+    player.toy.commands.turn(1)
+    plots.measured_row = wide
+    player.now_s += 1e6
+    player.wait(1)
+    player.toy.commands.turn(3)
+    assert player.world.shape == (high, wide) and plots.measured_row == high < wide
+
+
+def written(player):
+    """Return the words in the cards: (rect, text)."""
+    strokes = player.toy.plots._strokes(player.toy.layout.plots)
+    return [(pygame.Rect(rect), *how[:2]) for stroke, rect, *how in strokes if stroke is draw_list.words]
+
+
+@pytest.mark.parametrize(("size", "scale"), [((1280, 720), 0.75), ((1280, 720), 1), ((2560, 1600), 3)])
+def test_each_plot_has_a_scale_from_zero_to_a_round_figure_and_the_budget_is_named(size, scale):
+    player = coloured(size, scale, 1)
+    plots, px = player.toy.plots, player.toy.theme.px
+    for draw in (plots._flow, plots._filling, plots._pile, plots._frames):
+        card = pygame.Rect(0, 0, px(200), px(130))
+        strokes = [(stroke, pygame.Rect(rect), how) for stroke, rect, *how in draw(card)]
+        figures = [(rect, how[0]) for _, rect, how in strokes if how[2:] == [look.FAINT, 1]]
+        figures = sorted(
+            ((rect, text) for rect, text in figures if "iteration" not in text), key=lambda each: -each[0].y
+        )
+        (lowest, zero), *_, (_, top) = figures
+        assert zero == "0" and top.replace(",", "").replace(".", "").strip("0") in {*"1234568", "15"}
+        assert all(low.top >= high.bottom for (low, _), (high, _) in pairwise(figures))
+        assert all(card.contains(rect) for rect, _ in figures)
+        charted = [rect for stroke, rect, _ in strokes if stroke in (charts.curve, charts.hill)]
+        assert all(rect.left > lowest.right for rect in charted)
+    assert "16 ms" in [text for _, text in figures]
+    pygame.display.quit()
+
+
+@pytest.mark.parametrize("number", [0, 0.1, 0.11, 1, 1.6, 7, 99, 100, 5224, 12345678])
+def test_a_round_figure_is_at_most_half_as_large_again(number):
+    assert number <= charts.round_up(number) <= 1.5 * number + 1e-9
+
+
+def coloured(size, scale, factor):
+    """Return a player who looks at the plots of a world with all colours, many times as many grains on its books."""
+    player = Player("rainbow", size)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    player.toy.settings.override("ui_scale", scale)
+    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    player.key(pygame.K_l, "l")
+    player.hold_time()
+    player.session.do(Paint("erase", (40.0, 30.0), (120.0, 70.0), 9))
+    account = player.session.account
+    tallies = {field.name: tuple(factor * each for each in getattr(account, field.name)) for field in fields(account)}
+    player.session.timeline.moment.account = Account(**tallies)
+    player.wait(40)
+    samples = player.toy.plots._watch.samples
+    samples[:] = [each._replace(frame_ms=9.0) for each in samples]  # on whatever machine
+    return player
+
+
+@pytest.mark.parametrize("slowest_ms", [3.2, 123.4, 12_345.6])
+def test_a_slow_frame_leaves_room_for_its_title(slowest_ms):
+    player = coloured((900, 520), 1, 1)
+    player.toy.plots._watch.samples[-1] = player.toy.plots._watch.samples[-1]._replace(frame_ms=slowest_ms)
+    theme = player.toy.theme
+    rect = next(rect for rect, text, _ in written(player) if text == "Slowest frame")
+    assert theme.width("Slowest frame", look.SMALL) <= rect.width
+    pygame.display.quit()
+
+
+@pytest.mark.parametrize("factor", [1, 15, 1500])
+@pytest.mark.parametrize(
+    ("size", "scale"), [((900, 520), 1), ((1280, 720), 1), ((1300, 480), 1), ((1065, 480), 1), ((2560, 1600), 3)]
+)
+def test_the_books_of_eight_colours_can_be_read_at_any_size(size, scale, factor):
+    player = coloured(size, scale, factor)
+    area, theme = player.toy.layout.plots, player.toy.theme
+    words = [each for each in written(player) if each[1]]
+    assert sum(text.startswith("=") for _, text, _ in words) >= 8
+    seen = []
+    for rect, text, kind in words:
+        assert area.contains(rect) and rect.height >= 0.9 * theme.line_height(kind), text
+        wide = theme.width(text, kind)
+        assert wide <= rect.width, text
+        align = "right" if text.lstrip("=+-")[:1].isdigit() else "left"
+        seen += [pygame.Rect(rect.right - wide if align == "right" else rect.x, rect.y, min(wide, rect.width), 1)]
+    numbers = [box for box, (_, text, _) in zip(seen, words, strict=True) if text[0] in "=+-0123456789"]
+    assert all(len(each.collidelistall(numbers)) == 1 for each in numbers)
+    pygame.display.quit()
+
+
+def test_each_colour_has_a_row_that_adds_up(player):
+    for colour in ("indigo", "amber", "rose"):
+        player.session.do(Paint("sand", (20.0, 50.0), (90.0, 50.0), 9, colour=colour))
+    player.session.do(Paint("erase", (30.0, 50.0), (60.0, 50.0), 5))
+    rows, now = player.session.account.rows, player.world.grains_by_colour
+    assert [row[0] for row in rows] == [0, 2, 4]
+    for number, start, painted, erased, poured, swallowed, left in rows:
+        assert start + painted - erased + poured - swallowed == left == now[number]
+    player.key(pygame.K_l, "l")
+    player.wait(20)
+    texts = [text for _, text, _ in written(player)]
+    assert all(f"={now[number]:,}" in texts for number in (0, 2, 4))
+
+
+def test_sand_of_one_colour_has_its_sums_alone(glass):
+    glass.key(pygame.K_l, "l")
+    glass.wait(20)
+    texts = [text for _, text, _ in written(glass)]
+    assert "at the start" in texts and "start" not in texts
+
+
+def test_grains_that_changed_their_colour_alone_are_noticed(player):
+    player.key(pygame.K_l, "l")
+    player.session.do(Paint("sand", (20.0, 50.0), (90.0, 50.0), 9, colour="indigo"))
+    account = player.session.account
+    swapped = replace(account, painted_by_colour=account.painted_by_colour[::-1])
+    player.session.timeline.moment.account = swapped
+    player.wait(20)
+    assert "but in other colours" in [text for _, text, _ in written(player)]
+
+
+def test_the_audit_balances_after_whatever_is_done(player):
+    generator = np.random.default_rng(90)
+    for number in range(60):
+        material = ["sand", "erase", "wall"][generator.integers(3)]
+        places = [tuple(map(float, generator.integers(0, 90, 2))) for _ in range(2)]
+        player.session.do(Clear() if number == 40 else Paint(material, *places, int(generator.integers(1, 20))))
+        player.frame()
+        lines = player.session.account.lines
+        total = sum({"": 1, "+": 1, "-": -1, "=": 0}[sign] * grains for sign, _, grains in lines)
+        assert lines[-1] == ("=", "now", total) and total == player.world.grains
+
+
+def test_a_window_that_has_become_too_small_for_the_plots_says_so(glass):
+    glass.key(pygame.K_l, "l")
+    glass.wait(2)
+    assert glass.toy.layout.plots is not None
+    pygame.display.set_mode((640, 480), pygame.RESIZABLE, 32)
+    glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=640, y=480))
+    glass.wait(2)
+    assert glass.toy.layout.plots is None and "too small" in glass.toy.notices.text
+    glass.key(pygame.K_l, "l")
+    glass.wait(2)
+    assert "too small" not in (glass.toy.notices.text or "")

@@ -1,0 +1,79 @@
+"""The blocks over the sand: shown where grains are large and time stands still, and gone without a trace."""
+
+import numpy as np
+import pygame
+import pytest
+
+from game.play.view.block_overlay import part_in_sight
+from game.world.sand.block_events import coming_events
+
+
+@pytest.fixture
+def close(glass):
+    """Return a Player who looks at the hourglass from near by, in mid-flow."""
+    glass.wait(30)
+    glass.hold_time()
+    glass.pointer = glass.pixel(100, 60)
+    glass.frame()
+    for _ in range(9):
+        glass.key(pygame.K_PLUS, "+", pygame.KMOD_LCTRL)
+    glass.pointer = None
+    glass.wait(100)
+    return glass
+
+
+def shown(player):
+    area = player.toy.layout.sand
+    return pygame.surfarray.array2d(player.toy.window.surface)[: area.width, : area.height]
+
+
+def test_they_come_with_a_key_and_go_without_a_trace(close):
+    before = shown(close)
+    close.key(pygame.K_b, "b")
+    assert (shown(close) != before).any() and close.toy.blocks.shown
+    close.key(pygame.K_b, "b")
+    assert (shown(close) == before).all()
+
+
+def test_they_are_hidden_from_afar_and_while_time_runs(close):
+    close.key(pygame.K_b, "b")
+    close.session.paused = False
+    close.frame()
+    assert not close.toy.blocks.shown and close.toy.blocks.on
+    close.hold_time()
+    close.key(pygame.K_0, "0")
+    assert not close.toy.blocks.shown
+
+
+def test_what_is_drawn_piece_by_piece_is_what_is_drawn_at_once(close):
+    close.key(pygame.K_b, "b")
+    rng = np.random.default_rng(3)
+    for number in range(12):
+        close.key(pygame.K_PERIOD, ".") if number % 3 else close.click(
+            tuple(int(part) for part in rng.integers(50, 500, 2))
+        )
+        close.pointer = tuple(int(part) for part in rng.integers(0, 550, 2))
+        close.frame()
+    close.pointer = None
+    close.wait(100)
+    before = shown(close)
+    close.toy.stage.refresh()
+    close.frame()
+    assert (shown(close) == before).all()
+
+
+def test_a_step_leaves_trails_until_something_else_happens(close):
+    close.key(pygame.K_b, "b")
+    view = close.toy.stage.view
+    coming = coming_events(close.world, close.session.rule, part_in_sight(view))
+    close.key(pygame.K_PERIOD, ".")
+    blocks = close.toy.blocks
+    assert len(blocks.trails.rows) + len(blocks.stays.rows) == len(coming.rows) > 0
+    close.frame()
+    assert blocks.trails is not None
+    close.click((300, 300))
+    assert blocks.trails is None
+    close.key(pygame.K_PERIOD, ".")
+    assert blocks.trails is not None
+    close.key(pygame.K_z, "z", pygame.KMOD_LCTRL)
+    assert blocks.trails is None

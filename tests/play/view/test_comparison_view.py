@@ -1,0 +1,147 @@
+"""Three schedules in one window: what is done in one pane is done in all, and the same key leads back."""
+
+import numpy as np
+import pygame
+import pytest
+
+from game.play.ui import draw_list
+from game.world.sessions.action import Clear
+from game.world.sessions.comparison import Comparison
+from tests.play.player import Player
+
+
+@pytest.fixture
+def three():
+    """Return a Player of the hourglass under three schedules."""
+    player = Player("hourglass", (1100, 700))
+    player.wait(20)
+    player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
+    player.wait(1)
+    yield player
+    player.toy.close()
+    pygame.display.quit()
+
+
+def places_in(player, column, row):
+    """Return the pixel of a cell in each pane."""
+    x, y = player.pixel(column, row)
+    return [(x + dx, y + dy) for dx, dy in player.toy.stage._shifts.values()]
+
+
+def test_the_key_shows_the_present_sand_three_times_and_goes_back_to_where_it_was():
+    player = Player("hourglass", (1100, 700))
+    player.wait(20)
+    player.hold_time()
+    before, digest = player.session, player.world.digest()
+    player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
+    assert isinstance(player.session, Comparison)
+    assert all((each.world.sand == before.world.sand).all() for each in player.session.sessions.values())
+    player.session.paused = False
+    player.wait(30)
+    assert len({each.world.digest() for each in player.session.sessions.values()}) == 3
+    player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
+    assert player.session is before and player.world.digest() == digest
+    pygame.display.quit()
+
+
+def test_a_stroke_in_any_pane_is_painted_in_all(three):
+    three.hold_time()
+    three.toy.brush.diameter = 5
+    for number in range(3):
+        three.key(pygame.K_c, "c")
+        three.drag(places_in(three, 60, 190)[number], places_in(three, 90, 200)[number])
+        sands = [each.world.sand for each in three.session.sessions.values()]
+        assert sands[0][190, 60] and sands[0][200, 90]
+        assert all((each == sands[0]).all() for each in sands)
+
+
+def test_a_stroke_that_leaves_its_pane_does_not_jump_to_the_other_side(three):
+    three.hold_time()
+    three.key(pygame.K_c, "c")
+    from_x, to_x = places_in(three, 170, 180)[0], places_in(three, 5, 180)[1]
+    three.drag(from_x, to_x)
+    assert not three.world.sand[:, :160].any()
+
+
+def test_each_pane_shows_its_own_world_and_what_is_left(three):
+    three.wait(200)
+    three.hold_time()
+    three.wait(20)
+    surface = pygame.surfarray.array3d(three.toy.window.surface)
+    seen = []
+    for dx, dy in three.toy.stage._shifts.values():
+        left, top, right, bottom = three.toy.stage.view.seen
+        seen.append(surface[left + dx : right + dx, top + dy : bottom + dy])
+    assert (seen[0] != seen[1]).any() and (seen[1] != seen[2]).any()
+    titles = three.toy.stage.titles()
+    for schedule, session in three.session.sessions.items():
+        left = int(np.count_nonzero(session.world.sand[: session.scene.neck]))
+        assert titles[schedule] == (schedule.capitalize(), f"{left:,} left above")
+
+
+@pytest.mark.parametrize(("size", "scale"), [((640, 480), 1), ((1100, 700), 1), ((1360, 860), 2), ((1360, 860), 3)])
+def test_name_and_count_of_a_title_lie_side_by_side_and_every_name_is_whole(three, monkeypatch, size, scale):
+    written = []
+    three.toy.settings.override("ui_scale", scale)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    words = draw_list.words
+    monkeypatch.setattr(draw_list, "words", lambda *how: written.append(how) or words(*how))
+    three.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    stage, theme = three.toy.stage, three.toy.theme
+    for schedule, title in stage._titles.items():
+        (name, text, kind), (left, count, other) = [each[2:5] for each in written if title.contains(each[2])]
+        assert text == schedule.capitalize() and name.x + theme.width(text, kind) <= name.right
+        assert name.x + theme.width(text, kind) < left.right - theme.width(count, other)
+
+
+def test_a_line_parts_zoomed_panes_and_comes_back_from_under_a_notice(three):
+    for _ in range(8):
+        three.key(pygame.K_PLUS, "", pygame.KMOD_CTRL)
+    three.toy.notices.say("A line over all three panes, from the first to the last")
+    three.hold_time()
+    three.wait(900)
+    assert not three.toy.notices.shown
+    surface, edge = three.toy.window.surface, three.toy.theme.rgb("edge")
+    for gap in three.toy.stage._gaps:
+        assert {
+            tuple(surface.get_at((x, y))[:3]) for x in range(gap.left, gap.right) for y in range(gap.top, gap.bottom)
+        } == {edge}
+
+
+def test_the_badge_leaves_the_titles_free(three):
+    three.key(pygame.K_PLUS, "", pygame.KMOD_CTRL)
+    badge = three.toy.camera.badge
+    covered = badge.draw(three.toy.window.surface, three.toy.theme, three.toy.layout.sand)
+    assert all(rect.collidelist([*three.toy.stage._titles.values()]) < 0 for rect in covered)
+
+
+def test_a_flip_turns_all_three_and_undo_brings_them_back(three):
+    three.hold_time()
+    before = [each.world.sand for each in three.session.sessions.values()]
+    three.key(pygame.K_f, "f")
+    three.now_s += 1e6
+    three.wait(3)
+    after = [each.world.sand for each in three.session.sessions.values()]
+    assert all((new == old[::-1, ::-1]).all() for new, old in zip(after, before, strict=True))
+    three.key(pygame.K_z, "", pygame.KMOD_CTRL)
+    assert all((new.world.sand == old).all() for new, old in zip(three.session.sessions.values(), before, strict=True))
+
+
+def test_undo_that_is_held_neither_leaves_the_comparison_nor_goes_on_beyond_it(three):
+    own = next(iter(three.toy.former))
+    own.timeline.do(Clear())
+    three.hold_time()
+    three.key(pygame.K_c, "c")
+    for _ in range(5):
+        three.press(pygame.K_z, "", pygame.KMOD_CTRL)
+    assert isinstance(three.session, Comparison) and three.world.grains
+    three.release(pygame.K_z)
+    for _ in range(5):
+        three.press(pygame.K_z, "", pygame.KMOD_CTRL)
+    assert three.session is own and not three.world.grains
+
+
+def test_still_panes_are_not_drawn_again(three):
+    three.hold_time()
+    three.wait(600)
+    assert not any(three.frame() for _ in range(5))

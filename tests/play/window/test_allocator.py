@@ -1,0 +1,116 @@
+"""What is freed does not stay with the process; what lasts is not looked through again."""
+
+import subprocess
+import sys
+
+import pytest
+
+HOLES = """
+import threading
+import numpy as np
+from game.play.window.allocator import give_back_freed, resident_mb
+assert give_back_freed()
+def work():  # as forecasts and planners do: large arrays that go, beside small ones that stay
+    for number in range(40):
+        large = [np.ones(rng.integers(2**18, 2**20)) for _ in range(4)]
+        kept.append(np.ones(100))
+rng, kept = np.random.default_rng(1), []
+before = resident_mb()
+threads = [threading.Thread(target=work) for _ in range(8)]
+for thread in threads:
+    thread.start()
+for thread in threads:
+    thread.join()
+print(resident_mb() - before)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems give back by themselves")
+def test_large_arrays_of_many_threads_leave_no_holes_behind():
+    said = subprocess.run([sys.executable, "-c", HOLES], capture_output=True, text=True, check=True)
+    assert float(said.stdout) < 20
+
+
+SMALL_ONES = """
+import numpy as np
+import pygame
+from game.play.window.allocator import give_back_freed, resident_mb
+from tests.play.player import Player
+
+pygame.font.init()
+give_back_freed()
+player = Player("hourglass")
+player.wait(3)
+mixed = [np.ones(size) for _ in range(1000) for size in (8000, 100)]  # 64 MB, as snapshots are, among what stays
+del mixed[::2]
+before = resident_mb()
+player.toy.load("ledges")
+player.wait(3)
+print(before - resident_mb())
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="other systems give back by themselves")
+def test_another_scene_leaves_no_holes_where_the_past_of_the_last_one_was():
+    said = subprocess.run([sys.executable, "-c", SMALL_ONES], capture_output=True, text=True, check=True)
+    assert float(said.stdout.split()[-1]) > 40
+
+
+LASTING = """
+import gc, time
+import pygame
+from game.play.loop import run
+from game.world.background.compile_worker import Worker
+
+class ShortGame:
+    running = True
+    def frame(self, *_):
+        self.running = False
+
+def pass_s():
+    start = time.thread_time()
+    gc.collect()
+    return time.thread_time() - start
+
+pygame.display.init()
+lasting = [[] for _ in range(300_000)]
+before = pass_s()
+ready = Worker([])
+assert ready.wait(10)
+run(ShortGame(), ready)
+assert pass_s() < before / 5
+"""
+
+
+def test_a_full_pass_of_the_garbage_collector_is_short_once_all_is_ready():
+    subprocess.run([sys.executable, "-c", LASTING], check=True)
+
+
+LEFT = """
+import gc
+import pygame
+from game.play.window.allocator import spare_what_lasts
+from game.world.sessions import timeline
+from game.world.files.assets import asset
+from game.world.sessions.snapshots import Snapshot
+from tests.play.player import Player
+
+pygame.font.init()
+timeline.SPACING_NS, timeline.SHARE = 1, 0  # a snapshot wherever there may be one
+player = Player("fountain")
+spare_what_lasts()
+for _ in range(50):
+    player.session.timeline.run(50)
+left = player.session.timeline.shelf
+assert len(left) >= 50
+player.drop(sorted(asset("replays").glob("*.sandglass"))[0])
+player.settle()
+assert player.session.timeline.shelf is not left
+gc.collect()
+kept = sum(isinstance(each, Snapshot) for each in gc.get_objects())
+assert kept <= len(player.session.timeline.shelf), kept
+"""
+
+
+def test_a_session_that_nobody_returns_to_leaves_no_snapshots():
+    subprocess.run([sys.executable, "-c", LEFT], check=True)

@@ -1,0 +1,91 @@
+"""Laws of the hiss: off unless chosen, louder with more sand in motion, silent when it rests."""
+
+import numpy as np
+import pygame
+import pytest
+
+from game.play.window.audio import RATE
+from game.play.window.hiss import loop
+
+
+@pytest.fixture
+def heard(glass):
+    """Return a Player of the hourglass with sound."""
+    glass.toy.settings["sound"] = True
+    glass.frame()
+    glass.settle()
+    glass.settle()
+    yield glass
+    glass.toy.mixer.close()
+
+
+def test_nothing_is_looked_at_or_opened_unless_sound_is_chosen(glass, monkeypatch):
+    monkeypatch.setattr(glass.toy.hiss._stir, "look", lambda world: pytest.fail("looked"))
+    glass.wait(30)
+    assert not glass.toy.mixer.asked
+
+
+def test_flowing_sand_is_heard_and_held_sand_is_not(heard):
+    heard.wait(90)
+    flowing = heard.toy.hiss.level
+    assert flowing > 0.1 and pygame.mixer.get_busy()
+    heard.hold_time()
+    heard.wait(90)
+    assert heard.toy.hiss.level < 0.01
+
+
+def test_m_switches_it_off_and_it_fades_out(heard):
+    heard.wait(60)
+    heard.key(pygame.K_m)
+    assert not heard.toy.settings["sound"] and pygame.mixer.get_busy()
+    heard.wait(120)
+    assert not pygame.mixer.get_busy()
+
+
+class Ear:
+    """A channel that notes how loud it is on the left and on the right."""
+
+    def set_volume(self, left, right):
+        self.heard = left, right
+
+
+@pytest.mark.parametrize("side", [-1, 0, 1])
+def test_the_volume_is_what_was_set_and_comes_from_its_side(heard, side):
+    hiss, settings = heard.toy.hiss, heard.toy.settings
+    hiss._channel, hiss.level, hiss.side = Ear(), 0.5, side
+    hiss._play(True)
+    left, right = hiss._channel.heard
+    assert np.hypot(left, right) == pytest.approx(0.5 * settings["volume"])
+    assert np.sign(round(right - left, 9)) == side and min(left, right) > 0
+    settings["volume"] = 0
+    hiss._play(True)
+    assert hiss._channel.heard == (0, 0)
+
+
+def test_without_a_card_the_player_is_told_once_and_plays_on(glass):
+    glass.toy.mixer.asked, glass.toy.mixer.trouble = True, "none"
+    glass.key(pygame.K_m)
+    assert "No sound card" in glass.toy.notices.text
+    at = glass.world.iteration
+    glass.wait(20)
+    assert glass.world.iteration > at
+
+
+def test_a_card_that_does_not_open_takes_the_promise_of_sound_back(glass, monkeypatch):
+    monkeypatch.setenv("SDL_AUDIODRIVER", "alsa")
+    monkeypatch.setenv("ALSA_CONFIG_PATH", "/dev/null")
+    glass.key(pygame.K_m)
+    glass.settle()
+    glass.wait(2)
+    assert "No sound card" in glass.toy.notices.text
+
+
+def test_the_loop_has_no_seam_no_clipping_and_no_hum():
+    wave = loop()
+    assert wave.shape[1] == 2 and np.abs(wave).max() < 1
+    steps = np.abs(np.diff(wave, axis=0))
+    assert (np.abs(wave[0] - wave[-1]) <= steps.max(axis=0)).all()
+    power = np.abs(np.fft.rfft(wave[:, 0])) ** 2
+    frequencies = np.fft.rfftfreq(len(wave), 1 / RATE)
+    assert power[frequencies < 200].sum() < 0.01 * power.sum()
+    assert abs(np.corrcoef(wave.T)[0, 1]) < 0.3

@@ -1,0 +1,129 @@
+"""The chain: right by hand, by the plain twin's table and in fractions; and the lattices show all there is to see."""
+
+from fractions import Fraction
+from itertools import pairwise, product
+
+import numpy as np
+import pytest
+
+from game.study.exact import markov_chain
+from game.study.exact.lattices import LATTICES
+from game.study.exact.markov_chain import EVENTS, SCHEDULES, explore
+from game.study.exact.trials import PROBABILITIES
+from game.world.sand import parameters, rule
+from tests import reference
+
+HALF = (0.5,) * 2 + (1.0,) * 5
+SEVEN = PROBABILITIES["seven different"]
+
+
+def chances(rows, schedule, probabilities, iterations, set_in_walls=False):
+    """Return {state: probability} after some iterations."""
+    found = explore(rows, SCHEDULES[schedule], set_in_walls)
+    *_, last = found.distributions(probabilities, iterations)
+    return {int(state): chance for state, chance in zip(found.states, last, strict=True) if chance}
+
+
+def state_of(rows):
+    return sum(1 << place for place, cell in enumerate("".join(rows)) if cell == "o")
+
+
+def test_the_kinds_are_the_rules_probabilities_in_order():
+    assert tuple(each.name for each in parameters.PROBABILITIES) == markov_chain.KINDS
+
+
+def test_the_schedules_are_the_rules():
+    assert rule.SCHEDULES == SCHEDULES
+
+
+def test_all_81_blocks_do_what_the_plain_twin_says():
+    for corners in product(".ow", repeat=4):
+        twin = reference.event(*(corner.replace("w", "#") for corner in corners))
+        if twin is None:
+            assert "".join(corners) not in EVENTS
+            continue
+        after, name = twin
+        changed, kind = EVENTS["".join(corners)]
+        assert kind == (None if name == reference.ALWAYS else name)
+        assert changed == tuple(i for i in range(4) if after[i] != corners[i].replace("w", "#"))
+
+
+def test_a_tower_of_two_topples_with_p():
+    assert chances(["o.", "o."], "margolus", (0.3, 0.2, *[1.0] * 5), 1) == {
+        state_of(["o.", "o."]): pytest.approx(0.8),
+        state_of(["..", "oo"]): pytest.approx(0.2),
+    }
+
+
+def test_two_blocks_are_independent():
+    found = chances(["o..o", "o..o"], "margolus", (0.3, 0.2, *[1.0] * 5), 1)
+    assert found == {
+        state_of(["o..o", "o..o"]): pytest.approx(0.8 * 0.7),
+        state_of(["...o", "oo.o"]): pytest.approx(0.2 * 0.7),
+        state_of(["o...", "o.oo"]): pytest.approx(0.8 * 0.3),
+        state_of(["....", "oooo"]): pytest.approx(0.2 * 0.3),
+    }
+
+
+def test_a_tower_at_the_left_edge_has_fewer_tries_than_one_set_in_walls():
+    tower = ["o.", "o."]
+    by_itself, in_walls = (chances(tower, "margolus", HALF, 2, walled)[state_of(tower)] for walled in (False, True))
+    assert by_itself == in_walls == 0.5  # at (1, 1) the grain is in the lower row, if in a block at all
+    falling = ["o", ".", "."]
+    assert chances(falling, "margolus", HALF, 2) == {state_of([".", "o", "."]): 1.0}
+    assert chances(falling, "margolus", HALF, 2, set_in_walls=True) == {state_of([".", ".", "o"]): 1.0}
+
+
+@pytest.mark.parametrize("schedule", SCHEDULES)
+@pytest.mark.parametrize("name", ["tower", "ledges", "walls in every role"])
+def test_float_chances_are_those_in_fractions(name, schedule):
+    found = explore(LATTICES[name], SCHEDULES[schedule])
+    exact = {0: Fraction(1)}
+    p = [Fraction(each) for each in SEVEN]
+    *_, last = found.distributions(SEVEN, 7)
+    for iteration in range(7):
+        moves, after = found.moves[iteration % len(found.moves)], {}
+        ways = {}
+        for way in zip(moves.source.tolist(), moves.target.tolist(), moves.happened, moves.failed, strict=True):
+            ways.setdefault(way[0], []).append(way[1:])
+        for state, chance in exact.items():
+            for target, happened, failed in ways[state]:
+                weight = chance
+                for each, yes, no in zip(p, happened.tolist(), failed.tolist(), strict=True):
+                    weight *= each**yes * (1 - each) ** no
+                after[target] = after.get(target, 0) + weight
+        exact = after
+    assert sum(exact.values()) == 1
+    assert all(last[state] == pytest.approx(float(chance), rel=1e-12, abs=0) for state, chance in exact.items())
+
+
+@pytest.mark.parametrize("name", LATTICES)
+def test_chances_add_up_to_one_and_grains_to_their_number(name):
+    rows = LATTICES[name]
+    found = explore(rows, SCHEDULES["paper"])
+    assert (np.bitwise_count(found.states) == "".join(rows).count("o")).all()
+    for distribution in found.distributions(SEVEN, 30):
+        assert abs(distribution.sum() - 1.0) < 1e-12
+
+
+def test_the_lattices_are_small_and_drawn_in_full():
+    for name, rows in LATTICES.items():
+        assert {len(row) for row in rows} == {len(rows[0])}, name
+        assert len(rows) * len(rows[0]) <= 64 and set("".join(rows)) <= set(".o#"), name
+
+
+def test_the_lattices_show_every_event_with_sand_and_walls_in_every_role():
+    seen = set()
+    for rows in LATTICES.values():
+        width = len(rows[0])
+        for state in explore(rows, SCHEDULES["balanced"], set_in_walls=True).states.tolist():
+            cells = ["w" * (width + 2)]
+            for y, row in enumerate(rows):
+                sand = ("w" if cell == "#" else ".o"[state >> (y * width + x) & 1] for x, cell in enumerate(row))
+                cells.append("w" + "".join(sand) + "w")
+            cells.append("w" * (width + 2))
+            for upper, lower in pairwise(cells):
+                seen.update(upper[x : x + 2] + lower[x : x + 2] for x in range(width + 1))
+            if seen >= set(EVENTS):
+                return
+    raise AssertionError(f"no lattice shows {sorted(set(EVENTS) - seen)}")

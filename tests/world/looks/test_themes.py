@@ -1,0 +1,116 @@
+"""The colours: what is to be told apart can be, and what is to be read can be, in every theme and by every eye."""
+
+import itertools
+
+import pytest
+
+from game.core.draw.cells import (
+    AIR,
+    AIR_BY_WALL,
+    GLEAM,
+    GRAIN,
+    INSIDE,
+    INSIDE_BY_WALL,
+    LOOKS,
+    POST,
+    SHADES,
+    WOOD,
+    WOOD_EDGE,
+    WOOD_RIM,
+    dyed,
+)
+from game.world.looks.themes import THEMES, WALL_LOOKS, dyed_palette, palette, rgb
+from tests.eyes import RARE_SIGHTS, SIGHTS, contrast, difference, lab
+
+FREE = {"stone": (AIR, AIR_BY_WALL), "wood": (AIR, AIR_BY_WALL)}  # what lies about the walls of each kind
+FREE["glass"] = (*FREE["stone"], INSIDE, INSIDE_BY_WALL, GLEAM)
+EVERYWHERE = pytest.mark.parametrize("walls", WALL_LOOKS)
+EVERY_THEME = pytest.mark.parametrize("colours", THEMES.values(), ids=THEMES)
+EVERY_EYE = pytest.mark.parametrize("sight", SIGHTS)
+
+
+def least_difference(colours, walls, sight, ones, others):
+    looks = colours.looks(walls)
+    seen = [[lab(each, sight) for look in some for each in looks[look]] for some in (ones, others)]
+    return min(difference(*pair) for pair in itertools.product(*seen))
+
+
+def test_the_measures_are_those_of_their_sources():
+    assert difference((50, 2.6772, -79.7751), (50, 0, -82.7485)) == pytest.approx(2.0425, abs=1e-4)
+    assert difference((22.7233, 20.0904, -46.6940), (23.0331, 14.9730, -42.5619)) == pytest.approx(2.0373, abs=1e-4)
+    assert difference((2.0776, 0.0795, -1.1350), (0.9033, -0.0636, -0.5514)) == pytest.approx(0.9082, abs=1e-4)
+    assert contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21)
+    assert lab((255, 255, 255), "protanopia") == pytest.approx((100, 0, 0), abs=0.1)
+
+
+@EVERY_THEME
+@EVERYWHERE
+@EVERY_EYE
+def test_every_eye_tells_sand_from_air_and_walls(colours, walls, sight):
+    made_of = colours.looks(walls).keys() - colours.air.keys() - colours.sand.keys() - {WOOD, WOOD_RIM, WOOD_EDGE}
+    wood = {POST, WOOD, WOOD_RIM, WOOD_EDGE}
+    assert least_difference(colours, walls, sight, colours.sand, FREE[walls]) > 20
+    assert least_difference(colours, walls, sight, colours.sand, made_of) > (9 if walls == "wood" else 20)
+    assert least_difference(colours, walls, sight, colours.sand, wood) > 9
+    assert least_difference(colours, walls, sight, made_of, FREE[walls]) > 8
+
+
+@EVERY_THEME
+@EVERYWHERE
+def test_sand_is_the_brightest_thing_but_by_day_and_light_falls_on_it_from_above(colours, walls):
+    def brightness(look):
+        return [lab(each)[0] for each in colours.looks(walls)[look]]
+
+    lit = [sum(brightness(look)) for look in colours.sand]  # in the order grain, surface, under, by a wall
+    assert lit[1] > lit[2] > lit[0] > lit[3]
+    if colours.name == "night":
+        others = colours.looks(walls).keys() - colours.sand.keys()
+        assert min(brightness(min(colours.sand))) > max(max(brightness(look)) for look in others)
+
+
+@EVERY_THEME
+def test_every_word_can_be_read(colours):
+    grounds = {role: colours.panel[role] for role in ("ground", "raised", "sunken", "hover", "pressed")}
+    for words in ("text", "dim", "faint", "handle"):
+        for role, ground in (grounds | {"stage": colours.ground}).items():
+            assert contrast(colours.panel[words], ground) >= 4.5, (words, role)
+    for words in ("accent", "bright accent"):
+        for role in ("ground", "raised", "sunken"):
+            assert contrast(colours.panel[words], grounds[role]) >= 4.5, (words, role)
+    assert contrast(colours.panel["sunken"], colours.panel["accent"]) >= 4.5
+    assert contrast(colours.panel["ring"], colours.panel["ground"]) >= 3
+
+
+@EVERY_THEME
+@EVERYWHERE
+def test_every_look_has_its_shades_and_a_mean(colours, walls):
+    values = palette(colours, walls)
+    assert values.shape == (LOOKS, SHADES)
+    for look, (dark, light) in colours.looks(walls).items():
+        assert values[look, 0] == rgb(*dark) and values[look, -1] == rgb(*light)
+        assert all(low <= mean <= high for low, mean, high in zip(dark, colours.mean(look, walls), light, strict=True))
+
+
+def mean(of_look):
+    return tuple((dark + light) / 2 for dark, light in zip(*of_look, strict=True))
+
+
+@EVERY_THEME
+@pytest.mark.parametrize("sight", [*SIGHTS, *RARE_SIGHTS])
+def test_every_eye_tells_sand_of_each_colour_from_the_others_and_from_air_and_walls(colours, sight):
+    sands = [lab(mean(colours.dye(number)[GRAIN]), sight) for number in range(8)]
+    assert min(difference(*pair) for pair in itertools.combinations(sands, 2)) > 8.5
+    looks = [each for walls in WALL_LOOKS for look, each in colours.looks(walls).items() if look not in colours.sand]
+    assert min(difference(one, lab(mean(each), sight)) for one in sands[1:] for each in looks) > 7
+
+
+@EVERY_THEME
+@EVERYWHERE
+def test_light_falls_on_every_colour_from_above(colours, walls):
+    values = dyed_palette(colours, walls)
+    for number in range(8):
+        looks = colours.dye(number)
+        brightness = [sum(lab(each)[0] for each in looks[look]) for look in sorted(looks)]
+        assert brightness[1] > brightness[2] > brightness[0] > brightness[3]
+        for look, (dark, light) in looks.items():
+            assert values[dyed(look)[number], 0] == rgb(*dark) and values[dyed(look)[number], -1] == rgb(*light)

@@ -1,0 +1,221 @@
+"""Laws of pictures: one saved is the scene, one edited too, and any other becomes walls and sand."""
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from PIL import Image
+from PIL.PngImagePlugin import PngInfo
+
+from game import Rule
+from game.world.files import atomic
+from game.world.sand.sand_colours import COLOURS as NAMES
+from game.world.sand.sand_colours import DYED, nearest_dyes
+from game.world.scenes import picture_file
+from game.world.scenes.cell_arrays import COLOURS
+from game.world.scenes.picture_file import CHUNK, Photo, PictureError, load_picture, save_picture
+from game.world.sessions.action import Flip, Load
+from game.world.sessions.recording import load_replay, save_replay
+from game.world.sessions.session import Session
+from tests.world.random_sessions import SCENES, played, plays
+
+steady = settings(
+    derandomize=True, deadline=None, max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+
+
+def saved(folder, session=None):
+    """Return the path of a saved session."""
+    save_picture(folder / "some.png", session or Session(SCENES[1], 9))
+    return folder / "some.png"
+
+
+@pytest.fixture(autouse=True)
+def quick_disk(monkeypatch):
+    """Do not wait for the disk."""
+    monkeypatch.setattr(atomic.os, "fsync", lambda handle: None)
+
+
+@steady
+@given(plays)
+def test_a_saved_picture_is_the_scene(tmp_path, play):
+    session = played(play)
+    session.clock.speed = 321.0
+    scene, seed = load_picture(saved(tmp_path, session))
+    assert (scene.sand == session.world.sand).all() and (scene.walls == session.world.walls).all()
+    assert (scene.world().colours == session.world.colours).all()
+    assert (scene.rule, seed, scene.speed) == (session.rule, session.seed, 321.0)
+    assert (scene.title, scene.notice, scene.cell) == (session.scene.title, session.scene.notice, session.scene.cell)
+
+
+def test_a_picture_shows_the_cells_and_the_colours_of_the_sand(tmp_path):
+    world = SCENES[1].world()
+    pixels = np.asarray(Image.open(saved(tmp_path)).convert("RGB"))
+    dyed = np.array(list(DYED.values()), np.uint8)[world.colours]
+    plain = np.array(COLOURS, np.uint8)[np.where(world.walls, 2, 0)]
+    assert (pixels == np.where(world.sand[..., None], dyed, plain)).all()
+
+
+def test_a_loaded_picture_plays(tmp_path):
+    session = Session(SCENES[0])
+    session.do(Load(*load_picture(saved(tmp_path))))
+    assert session.world.digest() == SCENES[1].world(9).digest() and session.rule == SCENES[1].rule
+    session.timeline.run(20)
+    assert session.account.balanced(session.world)
+
+
+@pytest.mark.parametrize("name", ["x.png", "x.bmp", "x.gif", "x.webp"])
+def test_cells_survive_a_paint_program_that_drops_the_settings(tmp_path, name):
+    Image.open(saved(tmp_path)).convert("RGB").quantize(16).save(tmp_path / name, lossless=True, pnginfo=PngInfo())
+    scene, seed = load_picture(tmp_path / name)
+    assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
+    assert (scene.colours == SCENES[1].colours).all()
+    assert seed == 0 and scene.rule == Rule.with_p(0.75, "balanced") and scene.name == "x"
+
+
+def test_a_photo_becomes_sand_where_it_is_bright_and_walls_where_it_is_half_as_bright(tmp_path):
+    grey = np.tile(np.arange(256, dtype=np.uint8), (20, 1))
+    Image.fromarray(grey).save(tmp_path / "grey.png")
+    scene, _ = load_picture(tmp_path / "grey.png", threshold=0.6)
+    assert scene.sand[0].tolist() == (grey[0] >= 0.6 * 255).tolist()
+    assert scene.walls[0].tolist() == ((grey[0] >= 0.3 * 255) & (grey[0] < 0.6 * 255)).tolist()
+    default, _ = load_picture(tmp_path / "grey.png")
+    assert default.sand.sum() == 20 * 128
+
+
+def test_what_is_see_through_is_empty(tmp_path):
+    pixels = np.full((9, 12, 4), 255, np.uint8)
+    pixels[3:, :, 3] = 0
+    Image.fromarray(pixels).save(tmp_path / "clear.png")
+    scene, _ = load_picture(tmp_path / "clear.png")
+    assert scene.sand[:3].all() and not scene.sand[3:].any() and not scene.walls.any()
+
+
+def test_a_large_photo_is_made_to_fit(tmp_path):
+    Image.effect_noise((1600, 900), 80).save(tmp_path / "large.jpg")
+    scene, _ = load_picture(tmp_path / "large.jpg")
+    assert scene.shape == (360, 640) and scene.sand.any() and scene.walls.any()
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("{", "broken JSON"),
+        ("[]", "found no object"),
+        ('{"sandglass": 2}', "a newer Sandglass wrote it"),
+        ('{"sandglass": 1, "weather": 3}', "weather: found an unknown key"),
+        ('{"sandglass": 1}', "rule.topple_left: found nothing"),
+        ("[" * 10**5, "broken JSON"),
+    ],
+)
+def test_damaged_settings_are_refused_in_one_line(tmp_path, text, words):
+    chunk = PngInfo()
+    chunk.add_text(CHUNK, text)
+    Image.new("P", (5, 5)).save(tmp_path / "bad.png", pnginfo=chunk)
+    with pytest.raises(PictureError) as caught:
+        load_picture(tmp_path / "bad.png")
+    assert words in str(caught.value) and str(caught.value).isprintable()
+
+
+@pytest.mark.parametrize("seed", [-1, 2**64, "1"])
+def test_settings_are_checked(tmp_path, seed):
+    settings = json.loads(Image.open(saved(tmp_path)).info[CHUNK]) | {"seed": seed}
+    chunk = PngInfo()
+    chunk.add_text(CHUNK, json.dumps(settings))
+    Image.new("P", (5, 5)).save(tmp_path / "bad.png", pnginfo=chunk)
+    with pytest.raises(PictureError, match="seed: found"):
+        load_picture(tmp_path / "bad.png")
+
+
+def test_what_is_no_picture_is_refused_in_one_line(tmp_path):
+    (tmp_path / "text.png").write_text("not a picture")
+    Image.new("1", (16385, 2)).save(tmp_path / "wide.png")
+    for name, words in (
+        ("text.png", "unreadable"),
+        ("none.png", "no such file"),
+        (".", "folder"),
+        ("wide.png", "16385×2"),
+    ):
+        with pytest.raises(PictureError, match=words):
+            load_picture(tmp_path / name)
+
+
+def test_a_photo_in_colours_has_the_dye_that_each_grain_looks_like():
+    dyes = np.array(list(DYED.values()), np.uint8)
+    numbers = np.random.default_rng(3).integers(len(dyes), size=(40, 30))
+    pixels = np.dstack([dyes[numbers], np.full(numbers.shape, 255, np.uint8)])
+    pixels[5:9, :, 3] = 0
+    photo = Photo(Path("photo.png"), pixels)
+    scene = photo.picture(0.3, in_colours=True).scene
+    assert (scene.colours[scene.sand] == numbers[scene.sand]).all() and scene.sand.sum() == 36 * 30
+    plain = photo.picture(0.6).scene
+    coloured = photo.picture(0.6, in_colours=True).scene
+    assert plain.colours is None and (plain.sand == coloured.sand).all() and (plain.walls == coloured.walls).all()
+
+
+@pytest.mark.parametrize(
+    ("colour", "dye"), [((200, 90, 70), "terracotta"), ((90, 110, 210), "indigo"), ((250, 250, 245), "ivory")]
+)
+def test_a_dye_is_found_by_its_look(colour, dye):
+    assert NAMES[nearest_dyes(np.array([[colour]], np.uint8))[0, 0]] == dye
+
+
+def test_a_scene_as_large_as_a_lattice_may_be_is_opened_again(tmp_path, monkeypatch):
+    monkeypatch.setattr(picture_file, "MOST_PIXELS", 100)
+    scene, _ = load_picture(saved(tmp_path))
+    assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
+    with pytest.raises(PictureError, match="pixels, wanted at most"):
+        load_picture(saved(tmp_path), threshold=0.5)
+
+
+def test_a_scene_whose_palette_was_put_in_another_order_is_the_same(tmp_path):
+    path = saved(tmp_path)
+    with Image.open(path) as picture:
+        text = PngInfo()
+        text.add_text(CHUNK, picture.info[CHUNK])
+        order = list(range(len(COLOURS)))[::-1]
+        picture.remap_palette(order).save(tmp_path / "other.png", pnginfo=text)
+    scene, _ = load_picture(tmp_path / "other.png")
+    assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
+
+
+def test_a_photo_stands_as_the_camera_was_held(tmp_path):
+    pixels = np.zeros((30, 60, 3), np.uint8)
+    pixels[:, :20] = 255  # the left third is bright, which orientation 6 turns to the top
+    held = Image.Exif()
+    held[0x0112] = 6
+    Image.fromarray(pixels).save(tmp_path / "photo.png", exif=held)
+    scene, _ = load_picture(tmp_path / "photo.png", threshold=0.5)
+    assert scene.shape == (60, 30) and scene.sand[:20].all() and not scene.sand[20:].any()
+
+
+def test_a_photo_in_sixteen_bits_is_as_bright_as_in_eight(tmp_path):
+    grey = np.random.default_rng(7).integers(0, 256, (40, 50), np.uint16)
+    Image.fromarray(grey.astype(np.uint8)).save(tmp_path / "eight.png")
+    Image.fromarray(grey * 257).save(tmp_path / "sixteen.png")
+    eight, sixteen = (load_picture(tmp_path / f"{name}.png", threshold=0.5).scene for name in ("eight", "sixteen"))
+    assert (eight.sand == sixteen.sand).all() and (eight.walls == sixteen.walls).all() and not eight.sand.all()
+
+
+@pytest.mark.parametrize("name", ["at 1.23.45\u202fPM", "a" * 210, "nbsp\u00a0x", "fam\u200dily"])
+def test_whatever_a_photo_is_called_sessions_and_pictures_of_it_can_be_read(tmp_path, name):
+    Image.fromarray(np.random.default_rng(3).integers(0, 255, (20, 30, 3), np.uint8)).save(tmp_path / f"{name}.png")
+    scene, seed = load_picture(tmp_path / f"{name}.png")
+    session = Session(SCENES[0])
+    session.do(Load(scene, seed))
+    session.do(Flip())
+    save_replay(tmp_path / "some.sandglass", session)
+    recording = load_replay(tmp_path / "some.sandglass")
+    assert recording.problem is None and len(recording.entries) == 2
+    assert load_picture(saved(tmp_path, session)).scene.title == scene.title
+
+
+def test_a_scene_that_was_saved_as_a_jpeg_is_still_walls_and_sand(tmp_path):
+    world = SCENES[1].world()
+    cells = np.kron(np.asarray(Image.open(saved(tmp_path)).convert("RGB")), np.ones((4, 4, 1), np.uint8))
+    Image.fromarray(cells).save(tmp_path / "sent.jpg", quality=85, subsampling=0)
+    scene, _ = load_picture(tmp_path / "sent.jpg")
+    assert scene.shape == cells.shape[:2]
+    assert (scene.sand[2::4, 2::4] == world.sand).all() and (scene.walls[2::4, 2::4] == world.walls).all()

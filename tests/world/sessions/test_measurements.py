@@ -1,0 +1,84 @@
+"""The watch: its rows are the measures, and nothing that an act did is taken for flow."""
+
+import csv
+import io
+import math
+
+import numpy as np
+import pytest
+
+from game import Rule, load_scene
+from game.world.sand.measure import grains_above, pile_heights, slope_degrees
+from game.world.sessions import measurements
+from game.world.sessions.action import Clear, Flip, Paint, SetRule
+from game.world.sessions.measurements import COLUMNS, Watch
+from game.world.sessions.session import Session
+
+
+@pytest.fixture
+def glass():
+    """Return (session, its watch at the neck)."""
+    session = Session(load_scene("hourglass", (60, 80)), seed=5)
+    return session, Watch(session, session.scene.neck)
+
+
+def test_the_rows_of_the_table_are_the_measures(glass):
+    session, one = glass
+    expected, before = [], None
+    for number in range(20):
+        session.timeline.run(37)
+        one.follow(number / 4, 2.5)
+        above, heights = grains_above(session.world, 40), pile_heights(session.world, 40)
+        flow = math.nan if before is None else (before - above) / 37
+        slope = slope_degrees(heights)
+        row = session.now, number / 4, above, session.world.grains - above, flow, heights.max(), slope, 2.5
+        expected.append((*row, *session.world.grains_by_colour))
+        before = above
+    found = list(csv.reader(io.StringIO(measurements.csv(COLUMNS, one.rows()).decode(), newline="")))
+    assert tuple(found[0]) == COLUMNS and len(found) == 21
+    numbers = [[float(text) if text else math.nan for text in row] for row in found[1:]]
+    assert np.allclose(numbers, expected, rtol=1e-5, equal_nan=True)
+    assert sum(row[4] * 37 for row in expected[1:]) == expected[0][2] - expected[-1][2]
+
+
+def test_a_glass_knows_its_neck_at_any_size_and_other_scenes_have_none():
+    assert load_scene("hourglass").neck == 120 and load_scene("paper").neck == 30
+    assert load_scene("hourglass", (60, 80)).neck == 40
+    assert load_scene("funnel").neck is None and load_scene("blank").neck is None
+
+
+@pytest.mark.parametrize("act", [Flip(), Clear(), Paint("sand", (30.0, 20.0), (30.0, 20.0), 9)])
+def test_what_an_act_moves_is_no_flow(glass, act):
+    session, one = glass
+    for number, what in enumerate((None, act, SetRule(Rule.with_p(0.2)), None)):
+        if what:
+            session.do(what)
+        session.timeline.run(50)
+        one.follow(number, 1.0)
+    first, second, third, fourth = one.flows()
+    assert math.isnan(first) and math.isnan(second) and not math.isnan(third) and not math.isnan(fourth)
+
+
+def test_going_back_in_time_forgets_what_has_not_happened_yet(glass):
+    session, one = glass
+    for number in range(8):
+        session.timeline.run(50)
+        one.follow(number, 1.0)
+    session.seek(130)
+    one.follow(9.0, 1.0)
+    assert [each.now for each in one.samples] == [50, 100, 130]
+    session.do(Flip())
+    one.follow(9.5, 1.0)
+    assert [each.now for each in one.samples] == [50, 100, 130] and math.isnan(one.flows()[-1])
+
+
+def test_a_long_story_is_thinned_and_keeps_its_end_its_sum_and_its_slowest_frame(glass, monkeypatch):
+    session, one = glass
+    monkeypatch.setattr(measurements, "MOST", 10)
+    for number in range(57):
+        session.timeline.run(10)
+        one.follow(number, 50.0 if number == 20 else 1.0)
+        assert len(one.samples) <= 10 and one.samples[-1].now == session.now
+    assert max(each.frame_ms for each in one.samples) == 50.0
+    steps = np.diff([each.now for each in one.samples])
+    assert sum(one.flows()[1:] * steps) == pytest.approx(one.samples[0].above - one.samples[-1].above)

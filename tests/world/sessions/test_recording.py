@@ -1,0 +1,296 @@
+"""Laws of session files: they tell every act, give one world everywhere, and say in one line where they are wrong."""
+
+import json
+import subprocess
+import sys
+import zlib
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from game import Rule, headless, load_scene
+from game.world.files.assets import asset
+from game.world.sand.fixtures import Fixture
+from game.world.scenes.scene_json import start_digest
+from game.world.sessions.action import Clear, Draw, Fill, Flip, Load, Paint, SetFixtures, SetRule, Turn, snap
+from game.world.sessions.history import Entry
+from game.world.sessions.recording import ReplayError, load_replay, parse, recording_of, save_replay, to_bytes
+from game.world.sessions.session import Session
+from game.world.sessions.session_format import Pen
+from tests.world.random_sessions import SCENES, actions, played, plays, state
+
+ROOT = Path(__file__).parents[3]
+GOLDEN = {  # what the demos end in, on every machine; tests/data/make_replays.py makes them
+    "builder": "60d7699cedd5fcb7a25b4a1dd7a99b7e",
+    "rooms": "da2d9f5265e08ef83b775ed56ed2677e",
+    "three-turns": "497cf2bd5914090962d2ee365cc5e971",
+}
+steady = settings(derandomize=True, deadline=None, max_examples=40)
+
+
+def sample():
+    """Return a Session with every kind of act."""
+    session = Session(SCENES[1], seed=2**64 - 1)
+    session.timeline.run(10)
+    for number in range(6):
+        session.do(Paint("sand", (3.2 + number, 4.0), (4.2 + number, 4.0), 3), join=number > 0)
+        session.timeline.run(number % 2)
+    acts = [Flip(), SetRule(Rule(0.1, 1 / 3, schedule="margolus")), Clear(), Load(load_scene("paper"), 3)]
+    acts += [Load(SCENES[2], 4), Load(SCENES[2], 5), Paint("wall", (5, 5), (9.5, 6), 4, True), Flip()]
+    acts += [
+        Draw("ellipse", "wall", (3, 3), (12.2, 9), 2),
+        Fill("sand", (6.5, 6.5)),
+        Draw("rectangle", "erase", (5, 1), (1, 4)),
+    ]
+    acts += [
+        Paint("sand", (5, 5), (9.5, 6), 4, shape="diamond", only="wall"),
+        Paint("sand", (5, 5), (9, 6), 5, spray=7),
+    ]
+    acts += [SetFixtures((Fixture("tap", 3, 2, 4, 1, 3), Fixture("drain", -1, 5, 9, 2))), Turn(1), Turn(3)]
+    for act in acts:
+        session.do(act)
+        session.timeline.run(20)
+    return session
+
+
+def told(entries):
+    """Return entries that can be compared: scenes are by their digests."""
+    return [
+        each._replace(what=start_digest(each.what.scene)) if isinstance(each.what, Load) else each for each in entries
+    ]
+
+
+def resealed(lines):
+    """Return a file of (dict) lines, each with the seal it should have."""
+    pen = Pen()
+    return b"".join(pen._sealed(values) for values in lines)
+
+
+def values_of(data):
+    """Return the lines of a file as dicts, without their seals."""
+    return [{key: value for key, value in json.loads(line).items() if key != "sum"} for line in data.splitlines()]
+
+
+@pytest.mark.parametrize("name", sorted(GOLDEN))
+def test_demos_end_in_the_same_world_on_every_machine(name):
+    path = asset("replays", f"{name}.sandglass")
+    recording = load_replay(path)
+    report = headless.replay(recording)
+    assert recording.problem is None and path.stat().st_size < 5000
+    assert report["digest"] == recording.digest == GOLDEN[name]
+    assert headless.replay_status(report) == 0
+    assert report["grains_end"] == report["grains_start"] + report["grains_painted"] - report["grains_erased"]
+
+
+@steady
+@given(plays)
+def test_a_file_gives_back_the_session(play):
+    session = played(play)
+    recording, _ = parse(to_bytes(recording_of(session)), "file")
+    assert recording.problem is None and recording.digest == session.world.digest()
+    told = Session.retold(recording)
+    told.seek(recording.end)
+    assert state(told) == state(session)
+    story = [entry for entry in session.timeline.history.story() if entry.at <= session.now]
+    assert [(entry.at, entry.join) for entry in recording.entries] == [(entry.at, entry.join) for entry in story]
+
+
+@steady
+@given(st.integers(0, 2**40), actions, st.booleans())
+def test_an_act_is_written_and_read_without_loss(at, action, join):
+    header, pen = Pen().header(SCENES[0], 0), Pen()
+    data = pen.header(SCENES[0], 0) + pen.entry(Entry(at, action, join))
+    recording, _ = parse(data, "file")
+    entry = recording.entries[0]
+    assert recording.problem is None and data.startswith(header)
+    if isinstance(action, Paint):
+        ends = (snap(place, action.diameter) for place in (action.start, action.end))
+        action = replace(action, **dict(zip(("start", "end"), ends, strict=True)))
+    if isinstance(action, Load):
+        assert (entry.what.scene.sand == action.scene.sand).all() and entry.what.seed == action.seed
+        assert (entry.what.scene.walls == action.scene.walls).all() and entry.what.scene.rule == action.scene.rule
+    else:
+        assert entry == Entry(at, action, join)
+
+
+def test_a_stroke_is_one_line_and_a_known_scene_is_told_once():
+    lines = values_of(to_bytes(recording_of(sample())))
+    assert [line.get("do") for line in lines].count("stroke") == 1
+    scenes = [line["scene"] for line in lines if "scene" in line]
+    assert "cells" in scenes[0] and set(scenes[1]) == {"name", "size", "start"}
+    assert "cells" in scenes[2] and set(scenes[3]) == {"again"}
+
+
+def test_a_file_cut_anywhere_keeps_its_whole_lines_and_says_so():
+    data = to_bytes(recording_of(sample()))
+    whole = parse(data, "file")[0]
+    first = data.index(b"\n") + 1
+    for length in range(0, len(data), 7):
+        if length < first:
+            with pytest.raises(ReplayError, match="line 1: found"):
+                parse(data[:length], "file")
+            continue
+        kept = parse(data[:length], "file")[0]
+        assert kept.problem is None and kept.digest is None
+        assert told(kept.entries) == told(whole.entries)[: len(kept.entries)]
+
+
+def test_any_edit_is_noticed_and_what_is_before_it_kept():
+    data = bytearray(to_bytes(recording_of(sample())))
+    generator = np.random.default_rng(1)
+    first = data.index(b"\n") + 1
+    for at in generator.integers(first, len(data), 300).tolist():
+        edited = bytearray(data)
+        edited[at] ^= 1 << int(generator.integers(7))
+        kept = parse(bytes(edited), "file")[0]
+        line = data[:at].count(b"\n") + 1
+        if kept.problem:
+            assert f"line {line}" in kept.problem and f"{line - 1} lines before it were kept" in kept.problem
+        else:
+            assert kept.digest is None and at == len(data) - 1, "the end of the last line was taken away"
+
+
+@pytest.mark.parametrize(
+    ("edit", "words"),
+    [
+        ({"at": -1}, "at: found -1, wanted a whole number in [0, 9007199254740992] iterations"),
+        ({"at": True}, "at: found True"),
+        ({"at": float("nan")}, "at: found nan"),
+        ({"do": "dance"}, "do: found 'dance', wanted one of paint, stroke"),
+        ({"do": ["paint"]}, "do: found an array of 1"),
+        ({"material": "glue"}, "material: found 'glue', wanted one of erase, sand, wall"),
+        ({"diameter": 1e9}, "diameter: found 1000000000.0, wanted a whole number in [1, 200] cells"),
+        ({"from": [1]}, "from: found an array of 1, wanted a place [x, y]"),
+        ({"to": [1, "2"]}, "to.y: found '2'"),
+        ({"to": [1, 10**400]}, "to.y: found a huge number"),
+        ({"over_walls": 1}, "over_walls: found 1, wanted true or false"),
+        ({"join": "yes"}, "join: found 'yes'"),
+        ({"colour": 3}, "colour: found 3, wanted one of amber"),
+        ({"hue": 3}, "hue: found an unknown key"),
+    ],
+)
+def test_bad_values_are_named(edit, words):
+    paint = {"at": 5, "do": "paint", "material": "sand", "diameter": 4, "from": [3, 3], "to": [4, 4]}
+    header = values_of(Pen().header(SCENES[0], 0))[0]
+    recording = parse(resealed([header, paint, paint | edit, paint]), "some.sandglass")[0]
+    assert len(recording.entries) == 1 and recording.problem.startswith("some.sandglass: line 3: ")
+    assert words in recording.problem and recording.problem.isprintable()
+
+
+@pytest.mark.parametrize(
+    ("edit", "words"),
+    [
+        ({"name": "nowhere"}, "name: found 'nowhere'"),
+        ({"size": [61, 0]}, "size: found an array of 2, wanted [width, height]"),
+        ({"size": 61}, "size: found 61"),
+        ({"start": "0" * 16}, "this paper is another"),
+        ({"size": [62, 61]}, "this paper is another"),
+        ({"cells": "AAAA"}, "an unknown key"),
+    ],
+)
+def test_a_bad_start_is_refused(edit, words):
+    header = values_of(Pen().header(load_scene("paper"), 0))[0]
+    header["scene"] |= edit
+    with pytest.raises(ReplayError) as caught:
+        parse(resealed([header]), "some.sandglass")
+    assert words in str(caught.value) and str(caught.value).startswith("some.sandglass: line 1: ")
+
+
+@pytest.mark.parametrize(
+    ("cells", "words"),
+    [
+        ("!", "damaged"),
+        (7, "damaged"),
+        ("AAAA", "damaged"),
+        ("eJwDAAAAAAE=", "another number"),
+        ("both", "a cell that is both"),
+        ("bomb", "another number"),
+    ],
+)
+def test_bad_cells_are_refused_before_they_fill_the_memory(cells, words):
+    import base64
+
+    made = {"both": b"\xff" * 180, "bomb": bytes(10**7)}
+    if cells in made:
+        cells = base64.b64encode(zlib.compress(made[cells])).decode()
+    header = values_of(Pen().header(SCENES[0], 0))[0]
+    header["scene"]["cells"] = cells
+    with pytest.raises(ReplayError, match=words):
+        parse(resealed([header]), "file")
+
+
+def test_a_newer_file_is_told_and_what_is_understood_is_kept():
+    lines = values_of(to_bytes(recording_of(sample())))
+    lines[0] |= {"sandglass": 2, "weather": "fine"}
+    lines.insert(3, {"at": 12, "do": "wind", "force": 9})
+    recording = parse(resealed(lines), "file")[0]
+    assert "found version 2, wanted 1: a newer Sandglass wrote it; 3 lines of it were understood" in recording.problem
+    assert len(recording.entries) == 7
+
+
+def test_a_line_after_the_end_is_told():
+    lines = values_of(to_bytes(recording_of(sample())))
+    recording = parse(resealed([*lines, lines[1]]), "file")[0]
+    assert "found a line, wanted none after the end" in recording.problem and recording.digest
+
+
+def test_a_replay_ends_at_the_present_moment_of_the_present_line(tmp_path):
+    session = Session(SCENES[1])
+    session.timeline.run(10)
+    session.do(Flip())
+    session.timeline.run(10)
+    session.do(Clear())
+    session.seek(15)
+    save_replay(tmp_path / "x.sandglass", session)
+    recording = load_replay(tmp_path / "x.sandglass")
+    assert [entry.what for entry in recording.entries] == [Flip()] and recording.end == 15
+    assert session.reached == 20, "saving changes nothing"
+
+
+def command(*arguments):
+    """Run main.py headless as a person would."""
+    return subprocess.run(
+        [sys.executable, "main.py", "headless", *arguments], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+
+
+def test_headless_replays_a_file(tmp_path):
+    demo = asset("replays", "builder.sandglass")
+    done = command("--replay", str(demo), "--json")
+    report = json.loads(done.stdout)
+    assert done.returncode == 0 and report["digest"] == GOLDEN["builder"] and report["same"] is True
+    cut = tmp_path / "cut.sandglass"
+    cut.write_bytes(demo.read_bytes()[:-30])
+    done = command("--replay", str(cut))
+    assert done.returncode == 1 and done.stderr.count("\n") == 1 and "it was cut short" in done.stderr
+    assert "not as recorded" in done.stdout
+
+
+@pytest.mark.parametrize(("name", "words"), [("none.sandglass", "no such file"), (".", "wanted an ordinary file")])
+def test_headless_refuses_what_is_no_replay_in_one_line(name, words, tmp_path):
+    done = command("--replay", str(tmp_path / name))
+    assert done.returncode == 2 and done.stdout == "" and words in done.stderr and done.stderr.count("\n") == 1
+
+
+def test_fixtures_beyond_the_lattice_are_told_of_as_any():
+    session = Session(load_scene("blank", (16384, 16)))
+    session.do(SetFixtures((Fixture("tap", 10**6, 3, 6), Fixture("drain", -(10**6), -20_000))))
+    session.do(Turn(1))
+    session.do(Flip())
+    recording = parse(to_bytes(recording_of(session)), "file")[0]
+    assert recording.problem is None and told(recording.entries) == told(recording_of(session).entries)
+
+
+def test_a_scene_that_differs_in_anything_is_told_of_anew():
+    scene = replace(SCENES[1], neck=7)
+    variants = [scene, replace(scene, speed=5000), replace(scene, title="Another"), replace(scene, neck=None)]
+    session = Session(scene)
+    for each in variants * 2:
+        session.do(Load(each, 1))
+    read = [each.what.scene for each in parse(to_bytes(recording_of(session)), "file")[0].entries]
+    seen = [(each.speed, each.title, each.neck) for each in read]
+    assert seen == [(each.speed, each.title, each.neck) for each in variants * 2]
