@@ -8,8 +8,7 @@ from game.play import splash
 from game.play.app import Toy
 from game.play.ui.theme import Theme
 from game.play.window.allocator import give_back_freed, spare_what_lasts
-from game.play.window.layout import Layout
-from game.play.window.opening import first_scale, first_size, window_size
+from game.play.window.layout import Layout, first_scale, first_size, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
 from game.world.background.compile_worker import Worker, steps_to_play
 from game.world.looks.view import View

@@ -21,11 +21,11 @@ class Player:
 
     @property
     def session(self):
-        return self.toy.session
+        return self.toy.sessions.now
 
     @property
     def world(self):
-        return self.toy.session.world
+        return self.toy.sessions.now.world
 
     def frame(self, *events, elapsed_ns=FRAME_NS):
         self.now_s += elapsed_ns / 1e9
@@ -78,7 +78,7 @@ class Player:
 
     def pixel(self, column, row):
         """Return the pixel in the middle of a cell."""
-        x, y = self.toy.stage.view.pixel(column + 0.5, row + 0.5)
+        x, y = self.toy.display.stage.view.pixel(column + 0.5, row + 0.5)
         return int(x), int(y)
 
     def control(self, name, share=0.5):

@@ -141,7 +141,7 @@ def test_r_starts_the_scene_again(glass):
 
 
 def test_r_leaves_friction_and_speed_as_they_were_set_and_one_undo_takes_it_back(glass):
-    glass.toy.do(SetRule(Rule.with_p(0.2)))
+    glass.toy.sessions.do(SetRule(Rule.with_p(0.2)))
     glass.session.clock.speed = 333.0
     glass.wait(20)
     glass.hold_time()
@@ -175,7 +175,7 @@ def test_escape_closes_what_is_open_and_quits_when_it_is_pressed_twice(glass):
         assert toy.running
         glass.key(pygame.K_ESCAPE)
     assert not (toy.help.shown or toy.cursor.on or toy.plots.shown or toy.forecasting.shown or toy.window.fullscreen)
-    assert toy.session is own and toy.running
+    assert toy.sessions.now is own and toy.running
     glass.key(pygame.K_ESCAPE)
     assert not toy.running
 
@@ -245,9 +245,9 @@ def test_resizing_the_window_does_not_touch_the_sand(glass):
     for size in ((640, 480), (1600, 900), (701, 533)):
         pygame.display.set_mode(size, pygame.RESIZABLE, 32)
         glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-        view = glass.toy.stage.view
+        view = glass.toy.display.stage.view
         assert view.left >= 0 and view.top >= 0
-        area = glass.toy.layout.sand
+        area = glass.toy.display.layout.sand
         assert view.left + view.width <= area.right and view.top + view.height <= area.bottom
     assert glass.world.digest() == before
 
@@ -262,7 +262,7 @@ def test_what_is_drawn_is_the_world(glass):
     glass.session.paused = True
     glass.wait(2)
     surface, world = glass.toy.window.surface, glass.world
-    colours = glass.toy.colours
+    colours = glass.toy.display.colours
     for row, column in np.random.default_rng(0).integers((0, 0), world.shape, (300, 2)):
         found = surface.get_at(glass.pixel(column, row))[:3]
         near = {look for look, (dark, light) in colours.looks("glass").items() if dark <= found <= light}
@@ -285,13 +285,13 @@ def test_the_window_and_the_bare_session_move_the_same_sand(glass):
 
 
 def test_the_panel_can_be_hidden(glass):
-    wide = glass.toy.layout.sand.width
+    wide = glass.toy.display.layout.sand.width
     glass.key(pygame.K_p, "p")
-    assert glass.toy.layout.sand.width == 900 > wide
+    assert glass.toy.display.layout.sand.width == 900 > wide
     glass.click((850, 300))
     assert glass.toy.running
     glass.key(pygame.K_p, "p")
-    assert glass.toy.layout.sand.width == wide
+    assert glass.toy.display.layout.sand.width == wide
 
 
 def test_closing_the_window_ends_the_loop(glass):
@@ -309,10 +309,10 @@ def test_nothing_of_the_outline_stays_behind(glass):
     glass.session.paused, glass.pointer = True, None
     glass.frame()
     shown = pygame.surfarray.array2d(glass.toy.window.surface)
-    glass.toy.stage.refresh()
+    glass.toy.display.stage.refresh()
     glass.frame()
     fresh = pygame.surfarray.array2d(glass.toy.window.surface)
-    area = glass.toy.layout.sand
+    area = glass.toy.display.layout.sand
     assert (shown[: area.width, : area.height] == fresh[: area.width, : area.height]).all()
 
 
@@ -323,6 +323,6 @@ def test_the_help_page_leaves_no_trace(glass):
     glass.key(pygame.K_F1)
     assert (pygame.surfarray.array2d(glass.toy.window.surface) != before).any()
     glass.key(pygame.K_F1)
-    area = glass.toy.layout.sand
+    area = glass.toy.display.layout.sand
     after = pygame.surfarray.array2d(glass.toy.window.surface)
     assert (after[: area.width, : area.height] == before[: area.width, : area.height]).all()

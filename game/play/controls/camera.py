@@ -8,6 +8,7 @@ import pygame
 from game.play.controls.keymap import CTRL
 from game.play.view.zoom_badge import Badge
 from game.world.looks.view import LEVELS, View, level
+from game.world.sessions.session import SEEK_NS
 
 LEFT, MIDDLE = 1, 2
 CTRL_KEYS = pygame.K_LCTRL, pygame.K_RCTRL, pygame.K_LMETA, pygame.K_RMETA
@@ -204,10 +205,10 @@ class Camera:
         toy, acted = self._toy, self._toy.brush.acted
         toy.brush.let_go()
         if acted and time.perf_counter() - self._since_s < MISTAKE_S:
-            toy.session.undo(budget_ns=toy.SEEK_NS)
+            toy.sessions.now.undo(budget_ns=SEEK_NS)
 
     def _pixel_of(self, event):
-        width, height = self._toy.window.size
+        width, height = self._toy.display.window.size
         return event.x * width, event.y * height
 
     @property
@@ -224,7 +225,7 @@ class Camera:
 
     @property
     def _stage(self):
-        return self._toy.stage
+        return self._toy.display.stage
 
     def _shift(self, right, down):
         """Drag the lattice by pixels."""

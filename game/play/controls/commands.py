@@ -9,6 +9,7 @@ from game.world.sand import parameters
 from game.world.sand.duration import spell_left
 from game.world.sessions.action import Clear, Load, SetRule
 from game.world.sessions.comparison import Comparison, present
+from game.world.sessions.session import SEEK_NS
 
 TWICE_S = 3.0  # within which Esc has to come again to quit; as long as the notice of it is read
 FASTER = 2**0.5  # what one press of + does to the speed
@@ -25,13 +26,13 @@ class Commands:
 
     def pause(self):
         """Hold time, or let it go on."""
-        self.toy.session.paused = not self.toy.session.paused
+        self.toy.sessions.now.paused = not self.toy.sessions.now.paused
 
     def step(self):
         """Run one iteration and hold time."""
-        self.toy.session.paused = True
-        if self.toy.is_there():
-            self.toy.session.step()
+        self.toy.sessions.now.paused = True
+        if self.toy.sessions.ready():
+            self.toy.sessions.now.step()
 
     def faster(self):
         """Speed time up by half."""
@@ -65,15 +66,15 @@ class Commands:
         Only a key pressed anew does that, not one held.
         """
         toy = self.toy
-        if toy.session.undo(toy.undo_goes_back, toy.SEEK_NS):
+        if toy.sessions.now.undo(toy.undo_goes_back, SEEK_NS):
             return
-        if toy.hearing.repeats or not toy.leave_session():
+        if toy.hearing.repeats or not toy.sessions.leave():
             toy.notices.say("There is nothing to take back.")
 
     def redo(self):
         """Bring back what was undone last, or the future that was left."""
         toy = self.toy
-        if not toy.session.redo(toy.undo_goes_back, toy.SEEK_NS):
+        if not toy.sessions.now.redo(toy.undo_goes_back, SEEK_NS):
             toy.notices.say("There is nothing to bring back.")
 
     # --- sand ---
@@ -89,23 +90,23 @@ class Commands:
 
     def tilt(self, way):
         """Lean the table a step to the left (-1) or to the right (1)."""
-        act = lean.tilted(self.toy.session.rule, int(way))
+        act = lean.tilted(self.toy.sessions.now.rule, int(way))
         if act is None:
             self.toy.notices.say("At p = 0 no grain topples, to whichever side the table leans.")
         else:
-            self.toy.do(act)
+            self.toy.sessions.do(act)
             self.toy.notices.say(lean.told(act.rule.bias))
 
     def restart(self):
         """Start the scene again, with the friction and at the speed that are set."""
-        toy, rule, speed = self.toy, self.toy.session.rule, self.toy.timer.own_speed
-        if toy.do(Load(toy.session.scene, toy.session.seed)):
-            toy.do(SetRule(rule), join=True)
-            toy.session.clock.speed = speed
+        toy, rule, speed = self.toy, self.toy.sessions.now.rule, self.toy.timer.own_speed
+        if toy.sessions.do(Load(toy.sessions.now.scene, toy.sessions.now.seed)):
+            toy.sessions.do(SetRule(rule), join=True)
+            toy.sessions.now.clock.speed = speed
 
     def clear(self):
         """Take all sand away."""
-        self.toy.do(Clear())
+        self.toy.sessions.do(Clear())
 
     # --- brush ---
 
@@ -169,7 +170,7 @@ class Commands:
 
     def save(self):
         """Save the scene as it is now."""
-        if self.toy.is_there():
+        if self.toy.sessions.ready():
             self.toy.files.save()
 
     def show_scenes(self):
@@ -200,8 +201,8 @@ class Commands:
 
     def toggle_panel(self):
         """Hide or show the panel."""
-        self.toy.panel_shown = not self.toy.panel_shown
-        self.toy.lay_out_anew()
+        self.toy.display.panel_shown = not self.toy.display.panel_shown
+        self.toy.display.lay_out_anew()
 
     def toggle_forecast(self):
         """Show where the sand will be, or no longer."""
@@ -222,21 +223,21 @@ class Commands:
     def compare(self):
         """Show this world under all three schedules, from now on; again, go back to it as it was."""
         toy = self.toy
-        if isinstance(toy.session, Comparison):
-            toy.leave_session()
-        elif toy.is_there():
-            session = Comparison(present(toy.session), toy.session.seed)
-            session.paused, session.clock.speed = toy.session.paused, toy.timer.own_speed
-            toy.recovery.begin(session, [])
-            toy.open_session(session, keep=True)
+        if isinstance(toy.sessions.now, Comparison):
+            toy.sessions.leave()
+        elif toy.sessions.ready():
+            session = Comparison(present(toy.sessions.now), toy.sessions.now.seed)
+            session.paused, session.clock.speed = toy.sessions.now.paused, toy.timer.own_speed
+            toy.journals.begin(session, [])
+            toy.sessions.open(session, keep=True)
             words = "The same sand under three schedules. Shift+H or Esc goes back."
-            toy.notices.say(words, holds=lambda: toy.session is session)
+            toy.notices.say(words, holds=lambda: toy.sessions.now is session)
 
     def toggle_fullscreen(self):
         """Fill the screen, or go back."""
         self.toy.let_go()
         self.toy.window.toggle_fullscreen()
-        self.toy.lay_out_anew()
+        self.toy.display.lay_out_anew()
 
     def toggle_help(self):
         """Open or close the page of keys."""
@@ -251,7 +252,7 @@ class Commands:
             (toy.cursor.on, self.toggle_cursor),
             (toy.plots.shown, self.toggle_plots),
             (toy.forecasting.shown, self.toggle_forecast),
-            (isinstance(toy.session, Comparison), self.compare),
+            (isinstance(toy.sessions.now, Comparison), self.compare),
             (toy.window.fullscreen, self.toggle_fullscreen),
             (time.monotonic() - self._warned_s > TWICE_S, self._warn_of_end),
         )
@@ -265,5 +266,5 @@ class Commands:
         self.toy.running = False
 
     def _change_speed(self, factor):
-        clock = self.toy.session.clock
+        clock = self.toy.sessions.now.clock
         clock.speed = min(max(clock.speed * factor, parameters.SPEED.low), parameters.SPEED.high)

@@ -19,7 +19,7 @@ class Hearing:
 
     def hear(self, event):
         """Let the part that an event is meant for act on it."""
-        toy, event = self._toy, self._toy.stage.own(event)
+        toy, event = self._toy, self._toy.display.stage.own(event)
         if event.type != pygame.KEYDOWN:
             self.note(event)
         if event.type == pygame.QUIT:
@@ -33,7 +33,7 @@ class Hearing:
         elif event.type == pygame.WINDOWFOCUSLOST:
             toy.let_go()
         elif event.type in (pygame.WINDOWEXPOSED, pygame.WINDOWSIZECHANGED):
-            toy.lay_out_anew()
+            toy.display.lay_out_anew()
         elif event.type == pygame.DROPFILE:
             toy.files.open(event.file)
         else:
@@ -43,7 +43,7 @@ class Hearing:
         """Give a key's command, and while it is held some again, but not in another session than it went down in."""
         toy, command = self._toy, keymap.command(event)
         self.repeats = event.key in self._down
-        began_here = self._down.setdefault(event.key, toy.session) is toy.session
+        began_here = self._down.setdefault(event.key, toy.sessions.now) is toy.sessions.now
         if command and (not self.repeats or (began_here and command in keymap.REPEATING)):
             name, *words = command.split()
             getattr(toy.commands, name)(*words)
@@ -52,7 +52,7 @@ class Hearing:
     def note(self, event):
         """Note which keys are held, those that something else has taken among them."""
         if event.type == pygame.KEYDOWN:
-            self._down.setdefault(event.key, self._toy.session)
+            self._down.setdefault(event.key, self._toy.sessions.now)
         elif event.type == pygame.KEYUP:
             self._down.pop(event.key, None)
         elif event.type == pygame.WINDOWFOCUSLOST:
@@ -64,20 +64,20 @@ class Hearing:
 
     def follow(self, mouse_pos):
         """Note where the pointer is in this frame."""
-        over_sand = mouse_pos is not None and self._toy.layout.sand.collidepoint(mouse_pos)
-        self.pointer = self._toy.stage.here(mouse_pos) if over_sand or self._toy.brush.painting else None
+        over_sand = mouse_pos is not None and self._toy.display.layout.sand.collidepoint(mouse_pos)
+        self.pointer = self._toy.display.stage.here(mouse_pos) if over_sand or self._toy.brush.painting else None
 
     def _hear_pointer(self, event):
         """Give an event of the pointer to the brush or the time bar, whichever it is over or held by."""
         toy = self._toy
-        on_sand = event.type == pygame.MOUSEBUTTONDOWN and toy.layout.sand.collidepoint(event.pos)
+        on_sand = event.type == pygame.MOUSEBUTTONDOWN and toy.display.layout.sand.collidepoint(event.pos)
         going_on = toy.brush.painting
         if not going_on and toy.time_bar.hear(event):
             toy.brush.let_go()
-        elif not going_on and _is_press(event) and toy.layout.hud.collidepoint(event.pos):
+        elif not going_on and _is_press(event) and toy.display.layout.hud.collidepoint(event.pos):
             toy.figures.toggle()
         elif going_on or on_sand:
-            toy.paint(toy.brush.hear(event, toy.stage.view, toy.session.world))
+            toy.paint(toy.brush.hear(event, toy.display.stage.view, toy.sessions.now.world))
 
 
 def _is_press(event):

@@ -7,7 +7,7 @@ import pygame
 from game.world.sand.neck import find_neck
 from game.world.sessions.comparison import Comparison
 from game.world.sessions.run_out import at_rest, first_moment
-from game.world.sessions.session import FRAMES_PER_SECOND
+from game.world.sessions.session import FRAMES_PER_SECOND, SEEK_NS
 
 MANY = 2**50  # iterations: more than any frame holds
 MOST_TOGETHER = 1024  # of a frame that runs several worlds: all may rest sooner, and that is not looked for
@@ -47,7 +47,7 @@ class Ahead:
         """What the HUD is to say of it, or ""."""
         if self._mode is None or time.monotonic() - self._since_s < SHORTEST_S:
             return ""
-        gone = f"{self._toy.session.now - self._start:,} iterations"
+        gone = f"{self._toy.sessions.now.now - self._start:,} iterations"
         return {
             HELD: "Fast forward",
             RESTING: "",
@@ -63,7 +63,7 @@ class Ahead:
         if event.key == pygame.K_RIGHT and alone:
             return self._hear_key(event)
         if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and self._mode in (SETTLING, AWAITING):
-            self._toy.notices.say(f"Stopped after {self._toy.session.now - self._start:,} iterations.")
+            self._toy.notices.say(f"Stopped after {self._toy.sessions.now.now - self._start:,} iterations.")
             self.stop()
             return True
         return False
@@ -88,9 +88,9 @@ class Ahead:
 
     def await_flow(self):
         """Run until a grain next passes the neck."""
-        if not self._toy.is_there():
+        if not self._toy.sessions.ready():
             return
-        world = self._toy.session.world
+        world = self._toy.sessions.now.world
         neck = find_neck(world)
         if neck is None:
             self._toy.notices.say("There is no one neck here for the sand to pass.")
@@ -105,7 +105,7 @@ class Ahead:
 
     def due(self):
         """Return how many iterations this frame is to try, or None where time goes at its own pace."""
-        timeline = self._toy.session.timeline
+        timeline = self._toy.sessions.now.timeline
         if self._mode is None or timeline.goal is not None:
             return None
         if self._narrowing:
@@ -117,7 +117,7 @@ class Ahead:
         if self._mode is None:
             return None
         self._before = timeline.course()
-        most = MOST_TOGETHER if isinstance(self._toy.session, Comparison) else MANY
+        most = MOST_TOGETHER if isinstance(self._toy.sessions.now, Comparison) else MANY
         if self._mode != HELD:
             return most
         self._step *= GROWTH
@@ -125,7 +125,7 @@ class Ahead:
 
     def look(self, now_s):
         """See what a frame has come to."""
-        session = self._toy.session
+        session = self._toy.sessions.now
         if self._mode is None:
             return
         if self._where != _where(session):
@@ -164,17 +164,17 @@ class Ahead:
 
     def _begin(self, mode, reached):
         self.stop()
-        if self._toy.is_there():
+        if self._toy.sessions.ready():
             self._mode, self._reached = mode, reached
             self._rested = None
-            self._step = FIRST_STEP * max(1.0, self._toy.session.clock.speed / FRAMES_PER_SECOND)
-            self._start, self._since_s = self._toy.session.now, time.monotonic()
-            self._where = _where(self._toy.session)
-            self._line = self._toy.session.timeline.history.line
+            self._step = FIRST_STEP * max(1.0, self._toy.sessions.now.clock.speed / FRAMES_PER_SECOND)
+            self._start, self._since_s = self._toy.sessions.now.now, time.monotonic()
+            self._where = _where(self._toy.sessions.now)
+            self._line = self._toy.sessions.now.timeline.history.line
 
     def _await_anew(self):
         """Count from here on after an act: it may have put sand above the neck, or the neck elsewhere."""
-        here = self._where == _where(self._toy.session)
+        here = self._where == _where(self._toy.sessions.now)
         self.stop()
         if here:
             self.await_flow()
@@ -182,7 +182,12 @@ class Ahead:
     def _narrow(self):
         """Find the first iteration of this frame at which it was so, beside the frames that follow."""
         self._narrowing = True
-        course, end, reached, timeline = self._before, self._toy.session.now, self._reached, self._toy.session.timeline
+        course, end, reached, timeline = (
+            self._before,
+            self._toy.sessions.now.now,
+            self._reached,
+            self._toy.sessions.now.timeline,
+        )
         line = timeline.history.line
 
         def work():
@@ -191,7 +196,7 @@ class Ahead:
         def take(found):
             if not self._narrowing:
                 return
-            if self._toy.session.timeline is timeline and timeline.history.line is line:
+            if self._toy.sessions.now.timeline is timeline and timeline.history.line is line:
                 self._arrive(found)
             else:
                 self.stop()
@@ -200,8 +205,8 @@ class Ahead:
 
     def _arrive(self, at):
         """Go back from where the frame had come to, and say what it took."""
-        session, took_s = self._toy.session, time.monotonic() - self._since_s
-        session.seek(at, self._toy.SEEK_NS)
+        session, took_s = self._toy.sessions.now, time.monotonic() - self._since_s
+        session.seek(at, SEEK_NS)
         session.timeline.forget_beyond()
         if self._mode == HELD:
             self._before, self._narrowing, self._rested = None, False, session.timeline.history.line

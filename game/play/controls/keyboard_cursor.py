@@ -36,14 +36,14 @@ class Cursor:
         self.on = not self.on
         self._let_go()
         self._toy.panel.ui.focus.leave()
-        height, width = self._toy.session.world.shape
+        height, width = self._toy.sessions.now.world.shape
         self._cell = self._cell or (width // 2, height // 2)
 
     def listen(self, events):
         """Take the events that are the cursor's and return the others."""
         if not self.on:
             return events
-        height, width = self._toy.session.world.shape
+        height, width = self._toy.sessions.now.world.shape
         self._cell = min(self._cell[0], width - 1), min(self._cell[1], height - 1)
         if self._pressed and not self._toy.brush.painting:  # something else has let go of the brush
             self._pressed = None
@@ -70,7 +70,7 @@ class Cursor:
         return False
 
     def _move(self, way, cells):
-        height, width = self._toy.session.world.shape
+        height, width = self._toy.sessions.now.world.shape
         column, row = (here + cells * step for here, step in zip(self._cell, way, strict=True))
         self._cell = min(max(column, 0), width - 1), min(max(row, 0), height - 1)
         if self._pressed:
@@ -80,7 +80,7 @@ class Cursor:
         brush = self._toy.brush
         if self._pressed is None and not brush.painting:
             self._pressed = key
-            self._toy.paint(brush.press(self.place, self._toy.session.world, key == ERASE))
+            self._toy.paint(brush.press(self.place, self._toy.sessions.now.world, key == ERASE))
 
     def _let_go(self):
         if self._pressed:

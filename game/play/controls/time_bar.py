@@ -7,7 +7,6 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.world.sessions.action import Flip, Load, Turn
 
-HEIGHT = 22  # pixels at scale 1
 INSET = 16  # from the area's sides to the ends of the line
 TRACK = 3
 HANDLE = 5  # radius
@@ -19,13 +18,17 @@ LEFT = 1
 class TimeBar:
     """Shows where a session is and where its acts are; says where the pointer wants it to be."""
 
-    def __init__(self, theme):
-        self.theme = theme
+    def __init__(self):
+        self.theme = None
         self.area = pygame.Rect(0, 0, 0, 0)
         self.held = False
         self._hover = False
         self._x = 0  # of the pointer that holds the bar
         self.marks = Marks()
+
+    def place(self, area, theme):
+        """Lie in `area` of the window from now on."""
+        self.area, self.theme = area, theme
 
     def hear(self, event):
         """Take in an event and return whether it was the bar's."""

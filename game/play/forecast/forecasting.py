@@ -47,20 +47,20 @@ class Forecasting:
     def close(self):
         """Ask nothing more and take the forecast away; return when the thread has ended."""
         self.forecaster.close()
-        self.answer = self._asked = self._toy.stage.veil = None
-        self._toy.refresh()
+        self.answer = self._asked = self._toy.display.stage.veil = None
+        self._toy.display.refresh()
 
     def look(self, now_s):
         """Take the latest answer, and ask again if anything has happened; never wait."""
         if not self.shown:
             return
-        session = self._toy.session
+        session = self._toy.sessions.now
         matter = self._matter()
         if session.timeline.goal is None and (matter, session.world.iteration) != self._asked:
             self._ask(matter, now_s)
         self._take(matter, now_s)
         if self._legend.changed(now_s):
-            self._toy.refresh()
+            self._toy.display.refresh()
 
     def share_at(self, row, column):
         """Return (share of the runs with sand in a cell, its standard error), or None where nothing is known."""
@@ -82,7 +82,7 @@ class Forecasting:
         return self._legend.draw(surface, theme, area)
 
     def _matter(self):
-        session, stage = self._toy.session, self._toy.stage
+        session, stage = self._toy.sessions.now, self._toy.display.stage
         view, area, shape = stage.view, stage.area, session.world.shape
         (left, top), (right, bottom) = view.place(area.left, area.top), view.place(area.right, area.bottom)
         sight = Part.within(shape, math.floor(top), math.floor(left), math.ceil(bottom), math.ceil(right))
@@ -90,7 +90,7 @@ class Forecasting:
         return Matter(session.timeline.history.line, session.scene, session.rule, self.ahead, part, exact)
 
     def _ask(self, matter, now_s):
-        world, before = self._toy.session.world, self._asked
+        world, before = self._toy.sessions.now.world, self._asked
         self._asked = matter, world.iteration
         still, runs = Still(world, matter.part), parameters.RUNS.default
         question = Question(still, matter.rule, matter.ahead, world.iteration, world.seed, runs, (matter, now_s))
@@ -105,11 +105,11 @@ class Forecasting:
         if about.scene is not matter.scene:
             answer, self.stale = None, False
         else:
-            now = self._toy.session.world.iteration
+            now = self._toy.sessions.now.world.iteration
             current = about == matter and question.start <= now <= question.start + question.ahead
             self._current_s = now_s if current else max(self._current_s, asked_s)
             self.stale = now_s - self._current_s > STALE_S
         self.answer = answer
         if (self.answer, self.stale) != before:
-            self._toy.stage.veil = answer and Veil(question.still.part, answer.levels, self.stale)
-            self._toy.refresh()
+            self._toy.display.stage.veil = answer and Veil(question.still.part, answer.levels, self.stale)
+            self._toy.display.refresh()

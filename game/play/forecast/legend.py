@@ -43,7 +43,7 @@ class Legend:
     def draw(self, surface, theme, area):
         """Draw the card, where there is room for it; return the rects that it covers."""
         px, line = theme.px, theme.line_height(look.SMALL)
-        stage, away, wide = self._toy.stage.area, px(AWAY), px(WIDTH)
+        stage, away, wide = self._toy.display.stage.area, px(AWAY), px(WIDTH)
         rect = pygame.Rect(min(stage.x + away, area.right - away - wide), stage.y + away, wide, 0)
         title, *lines = self._lines if 2 * rect.width <= area.width else self._lines[:2]
         rect.height = 2 * px(PAD) + px(24) + px(BAR) + line + px(4) + line * len(lines)
@@ -67,15 +67,15 @@ class Legend:
         return covered
 
     def _title(self):
-        answer, session = self._forecasting.answer, self._toy.session
+        answer, session = self._forecasting.answer, self._toy.sessions.now
         goal = session.now - session.world.iteration + answer.question.start + answer.question.ahead
         return f"Sand at iteration {goal:,}"
 
     def _write(self):
-        answer, shape = self._forecasting.answer, self._toy.session.world.shape
+        answer, shape = self._forecasting.answer, self._toy.sessions.now.world.shape
         if answer is None:
             return UNKNOWN
-        ago = self._toy.session.world.iteration - answer.question.start
+        ago = self._toy.sessions.now.world.iteration - answer.question.start
         when = f"{_iterations(answer.question.ahead)} ahead", f"Computed {f'{_iterations(ago)} ago' if ago else 'now'}"
         lines = [self._title(), _said_of_runs(answer), *when, self._here()]
         part, exact = answer.question.still.part, answer.question.about[0].exact
@@ -89,7 +89,7 @@ class Legend:
         pointer = self._toy.hearing.pointer
         if pointer is None:
             return ""
-        column, row = self._toy.stage.view.place(*pointer)
+        column, row = self._toy.display.stage.view.place(*pointer)
         found = self._forecasting.share_at(int(row), int(column))
         return "" if found is None else f"Here {100 * found[0]:.1f} ± {100 * found[1]:.1f} %"
 

@@ -44,7 +44,7 @@ class Gallery:
     def close(self):
         """Close the gallery."""
         self.shown = False
-        self._toy.lay_out_anew()
+        self._toy.display.lay_out_anew()
 
     def forget(self):
         """Draw everything next time."""
@@ -63,8 +63,8 @@ class Gallery:
         drawing = self._strokes(surface, tiles)
         if drawing != self._drawn:
             self._drawn = drawing
-            surface.fill(self._toy.theme.rgb(look.SUNKEN))
-            draw_list.draw(surface, self._toy.theme, drawing)
+            surface.fill(self._toy.display.theme.rgb(look.SUNKEN))
+            draw_list.draw(surface, self._toy.display.theme, drawing)
             moved = room
         for number in moved:
             self._draw_picture(surface, number, room[number])
@@ -76,7 +76,7 @@ class Gallery:
 
     def tab(self, number):
         """Return the rect in the window of a shelf's title."""
-        theme, x = self._toy.theme, self._page().x
+        theme, x = self._toy.display.theme, self._page().x
         for shelf in self.shelves[:number]:
             x += theme.width(shelf.title, look.HEADING) + 2 * theme.px(GAP)
         return pygame.Rect(x, 0, theme.width(self.shelves[number].title, look.HEADING), theme.px(HEAD))
@@ -84,7 +84,7 @@ class Gallery:
     # --- what it looks like ---
 
     def _strokes(self, surface, tiles):
-        theme, page, shelf = self._toy.theme, self._page(), self.shelf
+        theme, page, shelf = self._toy.display.theme, self._page(), self.shelf
         head = pygame.Rect(page.x, 0, page.width, theme.px(HEAD))
         strokes = [(draw_list.fill, surface.get_rect(), look.SUNKEN)]
         for number, each in enumerate(self.shelves):
@@ -97,7 +97,7 @@ class Gallery:
 
     def _empty(self):
         """Yield the strokes of what there is to say of a shelf without scenes."""
-        theme, page = self._toy.theme, self._page()
+        theme, page = self._toy.display.theme, self._page()
         lines = theme.lines(self.shelf.empty, look.BODY, page.width) if not len(self.shelf) else ()
         line = theme.line_height(look.BODY)
         for number, each in enumerate(lines):
@@ -106,7 +106,7 @@ class Gallery:
 
     def _thumb(self):
         """Yield the stroke of the scroll bar's thumb, where not all rows show."""
-        page, px, (columns, shown, _) = self._page(), self._toy.theme.px, self._grid()
+        page, px, (columns, shown, _) = self._page(), self._toy.display.theme.px, self._grid()
         rows = -(-len(self.shelf) // columns)
         if shown < rows:
             place = pygame.Rect(page.right + px(PAD) // 2, page.y + page.height * self._top // rows, px(4), 0)
@@ -115,7 +115,7 @@ class Gallery:
 
     def _hint(self, head):
         """Return what of the head is free for the hint."""
-        tabs = self.tab(len(self.shelves) - 1).right + self._toy.theme.px(GAP)
+        tabs = self.tab(len(self.shelves) - 1).right + self._toy.display.theme.px(GAP)
         return pygame.Rect(tabs, head.y, head.right - tabs, head.height)
 
     def _said(self):
@@ -124,10 +124,10 @@ class Gallery:
         away = "Del puts away    " if self.shelf.lets_go and len(self.shelf) else ""
         long = f"Arrows choose    Enter opens    {away}Tab turns the page    Esc closes"
         hints = long, f"Enter opens    {away}Esc closes", "Enter opens    Esc closes", ""
-        return next(each for each in hints if self._toy.theme.width(each, look.SMALL) <= room)
+        return next(each for each in hints if self._toy.display.theme.width(each, look.SMALL) <= room)
 
     def _tile_strokes(self, number, rect):
-        px, chosen = self._toy.theme.px, number == self.chosen
+        px, chosen = self._toy.display.theme.px, number == self.chosen
         strokes = [(draw_list.box, rect, look.HOVER if chosen else look.RAISED, px(5))]
         if chosen:
             strokes.append((draw_list.ring, rect, look.ACCENT, px(5), max(1, px(2))))
@@ -139,7 +139,7 @@ class Gallery:
 
     def _about(self):
         """Return the strokes of the sentence on the chosen scene."""
-        theme, page = self._toy.theme, self._page()
+        theme, page = self._toy.display.theme, self._page()
         line = theme.line_height(look.SMALL)
         text = self.shelf.about(self.chosen) if len(self.shelf) else ""
         foot = pygame.Rect(page.x, page.bottom, page.width, line)
@@ -152,7 +152,7 @@ class Gallery:
     def _draw_picture(self, surface, number, room):
         picture = self.shelf.picture(number)
         if picture:
-            surface.fill(self._toy.theme.rgb(look.SUNKEN), room)
+            surface.fill(self._toy.display.theme.rgb(look.SUNKEN), room)
             surface.blit(picture, picture.get_rect(center=room.center))
 
     # --- what it hears ---
@@ -227,12 +227,12 @@ class Gallery:
 
     def _page(self):
         """Return the rect of the tiles: between head and foot."""
-        (width, height), px = self._toy.window.size, self._toy.theme.px
+        (width, height), px = self._toy.display.window.size, self._toy.display.theme.px
         return pygame.Rect(px(PAD), px(HEAD), width - 2 * px(PAD), height - px(HEAD) - px(FOOT))
 
     def _grid(self):
         """Return (columns, rows in view, tile size) with tiles as large as lets all of them be seen, if possible."""
-        page, px = self._page(), self._toy.theme.px
+        page, px = self._page(), self._toy.display.theme.px
         most = max(1, (page.width + px(GAP)) // (px(NARROWEST) + px(GAP)))
         for columns in range(1, most + 1):
             wide = (page.width + px(GAP)) // columns - px(GAP)
@@ -244,7 +244,7 @@ class Gallery:
 
     def _tiles(self):
         """Yield (number, rect) of the scenes that show."""
-        px, page = self._toy.theme.px, self._page()
+        px, page = self._toy.display.theme.px, self._page()
         columns, rows, (wide, high) = self._grid()
         shown = min(rows, -(-len(self.shelf) // columns))
         page.y += max(0, (page.height - shown * (high + px(GAP))) // 2)
@@ -257,5 +257,5 @@ class Gallery:
             )
 
     def _picture_rect(self, tile):
-        px = self._toy.theme.px
+        px = self._toy.display.theme.px
         return pygame.Rect(tile.x + px(5), tile.y + px(5), tile.width - 2 * px(5), tile.height - px(NAME) - px(5))

@@ -38,7 +38,7 @@ class Help:
         self.shown = not self.shown
         self._top, self._drawn = 0, None
         if not self.shown:
-            self._toy.lay_out_anew()
+            self._toy.display.lay_out_anew()
 
     def forget(self):
         """Draw everything next time."""
@@ -76,7 +76,7 @@ class Help:
         if (size, self._top) == self._drawn:
             return []
         if not self._drawn or size != self._drawn[0]:
-            self._page = lay_out(self._toy.theme, pygame.Rect((0, 0), size))
+            self._page = lay_out(self._toy.display.theme, pygame.Rect((0, 0), size))
             self._scroll(0)
             surface.fill((SHADE,) * 3, special_flags=pygame.BLEND_MULT)
         self._drawn = size, self._top

@@ -39,7 +39,7 @@ class LiveScenes:
     @property
     def first(self):
         """The number of the scene to begin with: the one that is played."""
-        name = self._toy.session.scene.name
+        name = self._toy.sessions.now.scene.name
         return self._names.index(name) if name in self._names else 0
 
     def begin(self):
@@ -47,7 +47,7 @@ class LiveScenes:
         if not self._names:
             self._names = scene_names()
             self._titles = {name: scene_title(name) for name in self._names}
-        colours = self._toy.colours
+        colours = self._toy.display.colours
         if any(life.colours is not colours for life in self._lives.values()):
             self._lives = {}
         self._make_next()
@@ -68,7 +68,7 @@ class LiveScenes:
 
     def open(self, number):
         """Play a scene."""
-        self._toy.load(self._names[number])
+        self._toy.sessions.load(self._names[number])
 
     def run(self, now_s, rooms):
         """Let small worlds run, given {number: (width, height) of its room}; return the numbers whose picture moved."""
@@ -89,7 +89,9 @@ class LiveScenes:
         name = next((name for name in self._names if name not in self._lives), None)
         if name is not None and self._toy.gallery.shown and not self._making:
             self._making = True
-            self._toy.background.do(partial(Life, name, self._toy.colours), partial(self._take, name), self._give_up)
+            self._toy.background.do(
+                partial(Life, name, self._toy.display.colours), partial(self._take, name), self._give_up
+            )
 
     def _take(self, name, life):
         self._making, self._lives[name] = False, life

@@ -37,7 +37,7 @@ class Friction:
 
     def lay_out(self, ui, toy):
         """Show the rows and obey what was done to them."""
-        rule, usual = toy.session.rule, toy.session.scene.rule
+        rule, usual = toy.sessions.now.rule, toy.sessions.now.scene.rule
         if rule is not self._rule:
             self._rule, self._p, self._bias = rule, rule.p, rule.bias
         ui.heading("Friction")
@@ -54,7 +54,7 @@ class Friction:
         changed = self._seven(ui, changed, usual)
         held = ui.focus.held is not None
         if changed is not rule:
-            toy.do(SetRule(changed), join=self._turning)
+            toy.sessions.do(SetRule(changed), join=self._turning)
         self._turning = held and (self._turning or changed is not rule)
 
     def _lean(self, ui, rule, usual):

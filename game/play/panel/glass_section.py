@@ -31,11 +31,11 @@ class GlassFold:
         self.open = ui.fold("Glass", self.open, tip="Makes an hourglass of any shape, and pours the sand into it")
         if not self.open:
             return
-        glass = toy.session.scene.glass
+        glass = toy.sessions.now.scene.glass
         if glass is None:
             ui.text("This scene is not one glass. Here it can be made into one, with its sand in it.", dim=True)
             if ui.button("Make a glass"):
-                self._reshape(toy, self._made_of(toy.session.world.shape))
+                self._reshape(toy, self._made_of(toy.sessions.now.world.shape))
             return
         changed = self._slid(ui, glass)
         held = ui.focus.held is not None
@@ -69,18 +69,18 @@ class GlassFold:
 
         So are those that follow in the same drag: most of the sand is gone.
         """
-        grains = toy.session.world.grains
+        grains = toy.sessions.now.world.grains
         self._refills = refill or (join and self._refills)
         if not self._refills and grains > glass.inside().sum() // 2:
             self._refills = True
             words = f"A bulb of this glass does not hold {grains:,} grains: it was filled anew."
-            toy.notices.say(words, holds=lambda: toy.session.scene.glass == glass)
-        toy.do(Reshape(glass, self._refills), join)
+            toy.notices.say(words, holds=lambda: toy.sessions.now.scene.glass == glass)
+        toy.sessions.do(Reshape(glass, self._refills), join)
 
 
 def running_time(toy):
     """Return how long the glass runs, in words."""
-    ending, session = toy.planner.ask() or toy.planner.newest, toy.session
+    ending, session = toy.planner.ask() or toy.planner.newest, toy.sessions.now
     if ending is None:
         return UNKNOWN
     if ending.endless:

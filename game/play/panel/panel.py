@@ -1,7 +1,5 @@
 """The panel: what can be chosen and turned, top to bottom; first what a newcomer reaches for, last what is set once."""
 
-import pygame
-
 from game.play.panel import show_section, window_section
 from game.play.panel.friction_section import Friction
 from game.play.panel.glass_section import GlassFold
@@ -11,9 +9,6 @@ from game.play.panel.tools_section import Toolbox
 from game.world.sand import parameters
 from game.world.scenes.scene import scene_names
 
-WIDTH = 300  # pixels at scale 1
-NARROWEST = 240  # at scale 1: all words of the controls still fit
-LOWEST = 160  # at scale 1: height of a window in which sand, pages and cards still have room
 FAST = "Fast"  # the button that is held
 
 
@@ -28,6 +23,7 @@ class Panel:
 
     def lay_out(self, rect, events, now_s, mouse_pos, toy):
         """Show the controls, obey what was done to them, and return the events that the panel leaves to others."""
+        self.ui.theme = toy.display.theme
         rest = self.ui.begin(rect, events, now_s, mouse_pos)
         self._scene(toy)
         self.toolbox.lay_out(self.ui, toy)
@@ -40,13 +36,13 @@ class Panel:
         return rest
 
     def _scene(self, toy):
-        ui, scene, commands = self.ui, toy.session.scene, toy.commands
+        ui, scene, commands = self.ui, toy.sessions.now.scene, toy.commands
         names = self._scenes if scene.name in self._scenes else (*self._scenes, scene.name)
-        titles = [toy.title_of(name) for name in names]
+        titles = [toy.sessions.title_of(name) for name in names]
         now = names.index(scene.name)
         chosen = ui.choice("Scene", titles, now, tip="Puts the sand and walls of another scene in place of these")
         if chosen != now:
-            toy.load(names[chosen])
+            toy.sessions.load(names[chosen])
         if scene.notice:
             ui.text(scene.notice, dim=True)
         ui.row(3)
@@ -58,7 +54,7 @@ class Panel:
             commands.open_scenes()
 
     def _time(self, toy):
-        ui, session, commands = self.ui, toy.session, toy.commands
+        ui, session, commands = self.ui, toy.sessions.now, toy.commands
         ui.heading("Time")
         tip = "How fast the sand runs, in iterations per second"
         session.clock.speed = ui.slider(
@@ -112,18 +108,3 @@ class Panel:
         if ui.button("Keys", key="F1", tip="Every key on one page"):
             toy.commands.toggle_help()
         window_section.show(ui, toy.settings)
-
-
-def fitting_scale(ui_scale, window_size):
-    """Return the UI scale, smaller than wanted where the narrowest panel would take more than half of the window.
-
-    It is smaller as well where the window is too low.
-    """
-    width, height = window_size
-    return max(parameters.UI_SCALE.low, min(ui_scale, width / (2 * NARROWEST), height / LOWEST))
-
-
-def area(theme, window_size):
-    """Return the panel's rect in a window of that size."""
-    wide = max(min(theme.px(WIDTH), window_size[0] * 9 // 20), theme.px(NARROWEST))
-    return pygame.Rect(window_size[0] - wide, 0, wide, window_size[1])

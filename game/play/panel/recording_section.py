@@ -26,12 +26,12 @@ class PastFold:
         if ui.button("Last 10 s", key="Shift+G", tip="Records the last ten seconds as a GIF; the sand goes on"):
             commands.record_past()
         self._demo(ui, toy)
-        if toy.can_leave_session and ui.button("Back to my sand", tip="Leaves this replay"):
-            toy.leave_session()
+        if toy.sessions.can_leave and ui.button("Back to my sand", tip="Leaves this replay"):
+            toy.sessions.leave()
         tip = "MB for snapshots of the past; with less of them time runs back more slowly, the sand is the same"
-        memory = ui.slider("Memory", parameters.MEMORY, int(toy.session.memory_mb), log=True, tip=tip)
-        if memory != toy.session.memory_mb:
-            toy.session.limit_memory(round(memory))
+        memory = ui.slider("Memory", parameters.MEMORY, int(toy.sessions.now.memory_mb), log=True, tip=tip)
+        if memory != toy.sessions.now.memory_mb:
+            toy.sessions.now.limit_memory(round(memory))
 
     def _demo(self, ui, toy):
         titles = ("Play a replay …", *(name.replace("-", " ").capitalize() for name in self._demos))

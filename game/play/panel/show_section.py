@@ -15,7 +15,7 @@ def show(ui, toy):
         forecasting.toggle()
     if forecasting.shown:
         forecasting.ahead = ui.slider("Ahead", parameters.AHEAD, forecasting.ahead, log=True, tip="Iterations from now")
-    comparing = isinstance(toy.session, Comparison)
+    comparing = isinstance(toy.sessions.now, Comparison)
     tip = "The sand as it is under Margolus, Paper and Balanced; what is done to one is done to all"
     if ui.button("Back to one schedule" if comparing else "Three schedules", key="Shift+H", name="Compare", tip=tip):
         toy.commands.compare()
@@ -28,7 +28,7 @@ def show(ui, toy):
     if ui.toggle("Plots", plots.shown, tip=tip) != plots.shown:
         toy.commands.toggle_plots()
     if plots.shown:
-        height = toy.session.world.shape[0]
+        height = toy.sessions.now.world.shape[0]
         tip = "The row that parts above from below: the neck of a glass, else the middle, unless you set it"
         row = ui.slider(
             "At row", replace(parameters.ROW, high=height), plots.measured_row, default=plots.own_row, tip=tip

@@ -48,7 +48,7 @@ class TimerFold:
         if ui.button(label, key="T", name="Timer start", tip="Starts the timer, or stops it"):
             toy.commands.toggle_timer()
         if ui.button("A glass for it", tip=f"Puts a glass that suits {spell(timer.wanted_s)} in place of this scene"):
-            toy.open_scene(scene_of(glass_for(timer.wanted_s)), toy.session.seed)
+            toy.sessions.open_scene(scene_of(glass_for(timer.wanted_s)), toy.sessions.now.seed)
         tip = "A soft sound when the last grain has fallen"
         toy.settings["chime"] = ui.toggle("Chime at the end", toy.settings["chime"], tip=tip)
         words = _told(timer)

@@ -29,34 +29,39 @@ class Plots:
 
     def __init__(self, toy):
         self._toy = toy
-        self.shown = self._lacks_room = False
+        self._lacks_room = False
         self._set_row = None  # (scene, row): where the player wants to measure in that scene
         self._watch = self._drawing = self._drawn = None
         self._since_s = self._next_s = 0.0
         self._slowest_ns = 0
 
+    @property
+    def shown(self):
+        """Whether they are open."""
+        return self._toy.display.plots_shown
+
     def toggle(self):
         """Open the plots, or close them."""
-        self.shown = not self.shown
+        self._toy.display.plots_shown = not self.shown
         self._watch = None
-        self._toy.lay_out_anew()
+        self._toy.display.lay_out_anew()
 
     @property
     def own_row(self):
         """The row that the scene itself asks for: the middle of its glass, or of the scene."""
-        neck, height = self._toy.session.scene.neck, self._toy.session.world.shape[0]
+        neck, height = self._toy.sessions.now.scene.neck, self._toy.sessions.now.world.shape[0]
         return height // 2 if neck is None or neck >= height else neck
 
     @property
     def measured_row(self):
         """The row that parts above from below: the scene's, or what was set in its place."""
         scene, row = self._set_row or (None, 0)
-        rows = self._toy.session.world.shape[0]  # a quarter turn may have left fewer than there were
-        return min(row, rows) if scene is self._toy.session.scene else self.own_row
+        rows = self._toy.sessions.now.world.shape[0]  # a quarter turn may have left fewer than there were
+        return min(row, rows) if scene is self._toy.sessions.now.scene else self.own_row
 
     @measured_row.setter
     def measured_row(self, row):
-        self._set_row = self._toy.session.scene, row
+        self._set_row = self._toy.sessions.now.scene, row
 
     def look(self, now_s):
         """Measure if it is time to; say where there is no room any more."""
@@ -64,19 +69,19 @@ class Plots:
         if not self.shown:
             return
         self._slowest_ns = max(self._slowest_ns, self._toy.stepping.frame_ns)
-        fits = self._watch and (self._watch.session, self._watch.row) == (self._toy.session, self.measured_row)
-        fits = fits and len(self._watch.heights) == self._toy.session.world.shape[1]
+        fits = self._watch and (self._watch.session, self._watch.row) == (self._toy.sessions.now, self.measured_row)
+        fits = fits and len(self._watch.heights) == self._toy.sessions.now.world.shape[1]
         if fits and now_s < self._next_s:
             return
         begin = time.perf_counter()
         if not fits:
-            self._watch, self._since_s = Watch(self._toy.session, self.measured_row), now_s
+            self._watch, self._since_s = Watch(self._toy.sessions.now, self.measured_row), now_s
         self._watch.follow(now_s - self._since_s, self._slowest_ns / 1e6)
         self._next_s = now_s + min(max(SAMPLE_S, SHARE * (time.perf_counter() - begin)), LONGEST_S)
         self._slowest_ns, self._drawing = 0, None
 
     def _look_for_room(self):
-        lacked, self._lacks_room = self._lacks_room, self.shown and self._toy.layout.plots is None
+        lacked, self._lacks_room = self._lacks_room, self.shown and self._toy.display.layout.plots is None
         if self._lacks_room and not lacked:
             self._toy.notices.say("The window is too small for the plots.", holds=lambda: self._lacks_room)
 
@@ -86,7 +91,7 @@ class Plots:
 
     def draw(self, surface):
         """Draw the cards if they look different; return the rects that changed."""
-        area = self._toy.layout.plots
+        area = self._toy.display.layout.plots
         if not area or not self._watch:
             return []
         if self._drawing is None:
@@ -94,7 +99,7 @@ class Plots:
         if self._drawing == self._drawn:
             return []
         self._drawn = self._drawing
-        draw_list.draw(surface, self._toy.theme, self._drawing)
+        draw_list.draw(surface, self._toy.display.theme, self._drawing)
         return [area]
 
     def save(self):
@@ -102,7 +107,7 @@ class Plots:
         if not self._watch:
             self._toy.notices.say("There is nothing to save yet: L opens the plots.")
             return
-        name, rows = self._toy.session.scene.name, self._watch.rows()
+        name, rows = self._toy.sessions.now.scene.name, self._watch.rows()
         profile = list(enumerate(self._watch.heights.tolist()))
 
         def work():
@@ -117,7 +122,7 @@ class Plots:
     # --- the cards ---
 
     def _strokes(self, area):
-        px = self._toy.theme.px
+        px = self._toy.display.theme.px
         cards = (self._flow, self._filling, self._pile, self._frames, self._audit)
         strokes = [(draw_list.fill, tuple(area), look.SUNKEN)]
         tall = area.height > area.width
@@ -132,13 +137,15 @@ class Plots:
 
     def _edges(self, length, tall):
         """Return where the cards begin and end along the area; the books of coloured sand may take more than others."""
-        account, books = self._toy.session.account, length // CARDS
+        account, books = self._toy.sessions.now.account, length // CARDS
         if account.coloured:
-            theme, gap = self._toy.theme, self._toy.theme.px(GAP)
+            theme, gap = self._toy.display.theme, self._toy.display.theme.px(GAP)
             most = round(MOST_BOOKS * length)
             if not tall:
                 most = min(most, length - (CARDS - 1) * theme.px(LEAST_CARD))
-            wanted = heights(theme, account) if tall else widths(theme, account, self._toy.layout.plots.height - gap)
+            wanted = (
+                heights(theme, account) if tall else widths(theme, account, self._toy.display.layout.plots.height - gap)
+            )
             books = max(books, next((side + gap for side in wanted if side + gap <= most), most))
         rest = length - books
         return [*(rest * number // (CARDS - 1) for number in range(CARDS)), length]
@@ -147,7 +154,7 @@ class Plots:
         flows = self._watch.flows()
         known = [each for each in flows if not math.isnan(each)]
         now = "" if not flows or math.isnan(flows[-1]) else f"{flows[-1]:.3g} grains/it."
-        theme, title = self._toy.theme, f"Flow at row {self._watch.row:,}"
+        theme, title = self._toy.display.theme, f"Flow at row {self._watch.row:,}"
         if theme.width(f"{title} {now}", look.SMALL) > rect.width - 2 * theme.px(charts.PAD):
             title = "Flow"
         strokes, room = charts.card(theme, rect, title, now)
@@ -160,8 +167,8 @@ class Plots:
 
     def _filling(self, rect):
         samples, last = self._watch.samples, self._watch.samples[-1]
-        strokes, room = charts.card(self._toy.theme, rect, "Grains above", f"{last.above:,}")
-        below = (room.x, room.y, room.width, self._toy.theme.px(charts.HEAD))
+        strokes, room = charts.card(self._toy.display.theme, rect, "Grains above", f"{last.above:,}")
+        below = (room.x, room.y, room.width, self._toy.display.theme.px(charts.HEAD))
         strokes.append((draw_list.words, below, "below", look.SMALL, look.RING, 0))
         strokes.append((draw_list.words, below, f"{last.below:,}", look.SMALL, look.RING, 1))
         room, foot = self._with_foot(pygame.Rect(room.x, below[1] + below[3], room.width, room.height - below[3]))
@@ -173,26 +180,26 @@ class Plots:
     def _pile(self, rect):
         last = self._watch.samples[-1]
         slope = "" if math.isnan(last.slope) else f", {last.slope:.0f}°"
-        strokes, room = charts.card(self._toy.theme, rect, "Pile below", f"{last.height:,} high{slope}")
-        deep = self._toy.session.world.shape[0] - self._watch.row
+        strokes, room = charts.card(self._toy.display.theme, rect, "Pile below", f"{last.height:,} high{slope}")
+        deep = self._toy.sessions.now.world.shape[0] - self._watch.row
         high = charts.round_up(max(1, min(deep, 2 * last.height)))
         figures, room = self._scale(room, 0, high)
         return [*strokes, *figures, charts.profile(room, self._watch.heights, high, look.ACCENT)]
 
     def _frames(self, rect):
         samples = self._watch.samples
-        strokes, room = charts.card(self._toy.theme, rect, "Slowest frame", _spell_ms(samples[-1].frame_ms))
+        strokes, room = charts.card(self._toy.display.theme, rect, "Slowest frame", _spell_ms(samples[-1].frame_ms))
         numbers, budget = [each.frame_ms for each in samples], BUDGET_NS / 1e6
         high = charts.round_up(max(2 * budget, *numbers))
         figures, room = self._scale(room, 0, high, [(budget, f"{budget:g} ms")])
         level = room.bottom - 1 - round(budget / high * (room.height - 1))
-        strokes.append((draw_list.fill, (room.x, level, room.width, self._toy.theme.px(1)), look.EDGE))
+        strokes.append((draw_list.fill, (room.x, level, room.width, self._toy.display.theme.px(1)), look.EDGE))
         lines = charts.curves(room, [each.seconds for each in samples], [(numbers, look.DIM)], 0, high)
         return strokes + figures + lines
 
     def _audit(self, rect):
-        session = self._toy.session
-        return card(self._toy.theme, rect, session.account, session.world.grains_by_colour)
+        session = self._toy.sessions.now
+        return card(self._toy.display.theme, rect, session.account, session.world.grains_by_colour)
 
     def _nows(self):
         return [each.now for each in self._watch.samples]
@@ -200,11 +207,11 @@ class Plots:
     def _scale(self, room, low, high, marks=()):
         """Return (figures at the left of `room`, what is left of it): those of `marks`, then the ends and 0."""
         ends = [(each, charts.figure(each)) for each in dict.fromkeys((high, low, 0))]
-        return charts.scale(self._toy.theme, room, [*marks, *ends], low, high)
+        return charts.scale(self._toy.display.theme, room, [*marks, *ends], low, high)
 
     def _with_foot(self, room):
         """Return (the room above a line with the iterations at both ends, the line's strokes)."""
-        nows, high = self._nows(), self._toy.theme.line_height(look.SMALL)
+        nows, high = self._nows(), self._toy.display.theme.line_height(look.SMALL)
         if room.height < 3 * high:
             return room, []
         foot = (room.x, room.bottom - high, room.width, high)

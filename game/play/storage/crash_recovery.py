@@ -6,10 +6,9 @@ from functools import partial
 import pygame
 
 from game.play.view.dialog import Answer
-from game.world.files.atomic import FileError
 from game.world.sessions import journal
 from game.world.sessions.journal import Journal
-from game.world.sessions.session import Session
+from game.world.sessions.session import SEEK_NS, Session
 
 
 class Recovery:
@@ -17,35 +16,13 @@ class Recovery:
 
     def __init__(self, toy):
         self._toy = toy
-        self._running = False
 
     def start(self):
         """Keep journals from now on, and look for one that a crash left."""
-        self._running = True
         toy = self._toy
-        self.begin(toy.session, toy.session.timeline.history.story())
+        toy.journals.keep()
+        toy.journals.begin(toy.sessions.now, toy.sessions.now.timeline.history.story())
         toy.background.do(lambda: next(journal.unfinished(), None), self._offer)
-
-    def begin(self, session, entries):
-        """Open a journal for a session in which `entries` have been done."""
-        if not self._running:
-            return
-        try:
-            session.journal = Journal.begin(*session.timeline.start)
-            for entry in entries:
-                session.journal.note(entry)
-        except FileError as error:
-            session.journal, session.trouble = None, str(error)
-
-    def close(self, session):
-        """End a session's journal."""
-        if session.journal is None:
-            return
-        try:
-            session.journal.close(session.now, "" if session.timeline.goal is not None else session.world.digest())
-        except FileError as error:
-            self._toy.notices.say(error, trouble=True)
-        session.journal = None
 
     def _offer(self, path):
         if path is None:
@@ -67,8 +44,8 @@ class Recovery:
         session = Session.retold(found[1])
         session.journal = found[0]
         session.paused = True
-        toy.open_session(session)
-        session.seek(found[1].end, toy.SEEK_NS)
+        toy.sessions.open(session)
+        session.seek(found[1].end, SEEK_NS)
         toy.notices.say(found[1].problem or "Here you were. Space lets time go on.")
 
     def _let_go(self, path):

@@ -27,7 +27,7 @@ class Files:
 
     def save(self):
         """Save the scene as it is now as a picture in the user's folder."""
-        session = self._toy.session
+        session = self._toy.sessions.now
         still = SimpleNamespace(
             world=session.world.copy(), scene=session.scene, rule=session.rule, seed=session.seed, clock=session.clock
         )
@@ -51,8 +51,8 @@ class Files:
         """Play a Recording from its beginning; this session waits behind it."""
         toy = self._toy
         session = Session.retold(recording)
-        toy.recovery.begin(session, recording.entries)
-        toy.open_session(session)
+        toy.journals.begin(session, recording.entries)
+        toy.sessions.open(session)
         toy.notices.say(recording.problem or f"Replay: {name}. Paint at any time and it is yours.")
 
     def _take(self, found):
@@ -62,10 +62,10 @@ class Files:
         elif isinstance(what, Photo):
             self._toy.photo.show(what)
         else:
-            scene, seed = what if isinstance(what, Picture) else (what, self._toy.session.seed)
+            scene, seed = what if isinstance(what, Picture) else (what, self._toy.sessions.now.seed)
             opened = f"Opened {name}. Ctrl+Z takes you back."
             waits = f"{name} was not opened: the sand is still being computed."
-            self._toy.notices.say(opened if self._toy.open_scene(scene, seed) else waits)
+            self._toy.notices.say(opened if self._toy.sessions.open_scene(scene, seed) else waits)
 
 
 def read(path):

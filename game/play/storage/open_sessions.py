@@ -1,40 +1,105 @@
-"""The former sessions: those that others were opened over. They wait with little memory to be gone back to."""
+"""The open sessions: the one that is played, and those it was opened over, which wait to be gone back to."""
 
+from game.play.window.allocator import give_back_holes
 from game.world.sand import parameters
+from game.world.scenes.scene import load_scene, scene_title
+from game.world.sessions.action import Load
+from game.world.sessions.session import SEEK_NS
 
-MOST = 4  # sessions that wait; when there are more, the middle ones are forgotten
+MOST_WAITING = 4  # when more sessions wait, the middle ones are forgotten, never the player's own
 
 
-class Former:
-    """A stack of sessions, the player's own at the bottom."""
+class Sessions:
+    """The session that is played now, and a stack of those that wait with little memory, the player's own first."""
 
-    def __init__(self, recovery):
-        self._recovery = recovery
+    def __init__(self, session, journals, notices, on_switch):
+        """`on_switch()` is called after another session, or another scene, has taken the place of the one shown."""
+        self.now = session
+        self._journals, self._notices, self._on_switch = journals, notices, on_switch
         self._waiting = []
+        self._has_waited = False  # in this frame, for the moment that the session should be at
 
-    def __len__(self):
-        return len(self._waiting)
+    def begin_frame(self):
+        """Let `ready` wait again."""
+        self._has_waited = False
 
-    def __iter__(self):
-        return iter(self._waiting)
+    def ready(self):
+        """Return whether the session is where it should be; wait for that a little, once a frame, or say so."""
+        if not self.now.arrived and not self._has_waited:
+            self._has_waited = True
+            self.now.catch_up(SEEK_NS)
+        if self.now.arrived:
+            return True
+        self._notices.say("The sand is still being computed.")
+        return False
 
-    def push(self, session):
-        """Let a session wait, its past to be computed anew if need be; of many forget one, never the player's own."""
-        session.limit_memory(parameters.MEMORY.low)
-        self._waiting.append(session)
-        if len(self._waiting) > MOST:
-            self.end(self._waiting.pop(1))
+    def do(self, action, join=False):
+        """Let a player's act happen; return whether it changed anything.
 
-    def pop(self):
-        """Return the session that was played last."""
-        return self._waiting.pop()
+        join: undo takes it back together with the act before.
+        """
+        return self.ready() and self.now.do(action, join)
 
-    def end(self, session):
-        """End a session that nobody returns to."""
-        self._recovery.close(session)
-        session.drop_past()
+    def load(self, name):
+        """Put the shipped scene of that name in place of this one."""
+        self.open_scene(load_scene(name), self.now.seed)
+
+    def open_scene(self, scene, seed):
+        """Put a scene in place of this one; return whether that was done. It is an act, and can be taken back."""
+        if not self.do(Load(scene, seed)):
+            return False
+        self._on_switch()
+        give_back_holes()
+        return True
+
+    def open(self, session, keep=False):
+        """Play another session, and keep this one behind it if it is asked for or anything was done in it."""
+        before = self.now
+        self._play(session)
+        if keep or before.timeline.history.line.before is not None or self._waiting:
+            before.limit_memory(parameters.MEMORY.low)
+            self._waiting.append(before)
+            if len(self._waiting) > MOST_WAITING:
+                self._end(self._waiting.pop(1))
+        else:
+            self._end(before)
+        give_back_holes()
+
+    def leave(self):
+        """Go back to the session that this one was opened over; return whether there is one."""
+        if not self._waiting:
+            return False
+        self._end(self.now)
+        self._play(self._waiting.pop())
+        give_back_holes()
+        return True
+
+    @property
+    def can_leave(self):
+        """Whether this session was opened over another."""
+        return bool(self._waiting)
+
+    @property
+    def waiting(self):
+        """The sessions that wait, the player's own first."""
+        return tuple(self._waiting)
+
+    def title_of(self, name):
+        """Return the title of a shipped scene, or of the one that is open."""
+        scene = self.now.scene
+        return scene.title if name == scene.name else scene_title(name)
 
     def close(self):
-        """End the journals of those that wait."""
-        for session in self._waiting:
-            self._recovery.close(session)
+        """End the journals of all sessions."""
+        for session in (*self._waiting, self.now):
+            self._journals.close(session)
+
+    def _play(self, session):
+        session.limit_memory(self.now.memory_mb)
+        self.now = session
+        self._on_switch()
+
+    def _end(self, session):
+        """End a session that nobody returns to."""
+        self._journals.close(session)
+        session.drop_past()

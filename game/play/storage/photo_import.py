@@ -36,15 +36,15 @@ class PhotoCard:
         """Open the card with a Photo."""
         self._photo, self._threshold, self._in_colours = photo, THRESHOLD.default, True
         self._found = photo.picture(self._threshold, self._in_colours)
-        self._card = Card(self._toy.theme, WIDTH)
-        self._toy.refresh()
+        self._card = Card(self._toy.display.theme, WIDTH)
+        self._toy.display.refresh()
 
     def listen(self, events, now_s, mouse_pos):
         """Turn the threshold, take the photo or leave it; return the events that are not the card's."""
-        rest = self._card.lay_out(self._toy, self._toy.theme.px(TOP), events, now_s, mouse_pos)
+        rest = self._card.lay_out(self._toy, self._toy.display.theme.px(TOP), events, now_s, mouse_pos)
         ui = self.ui
         ui.heading(f"{self._photo.path.name} as sand")
-        self._room = ui.place(self._toy.theme.px(PICTURE_HEIGHT), self._toy.theme.px(8))
+        self._room = ui.place(self._toy.display.theme.px(PICTURE_HEIGHT), self._toy.display.theme.px(8))
         threshold = ui.slider("Threshold", THRESHOLD, self._threshold, tip=None)
         in_colours = ui.toggle("In colours", self._in_colours, tip="Gives each grain the dye most like the photo there")
         if (threshold, in_colours) != (self._threshold, self._in_colours):
@@ -67,9 +67,9 @@ class PhotoCard:
 
     def _close(self, taken):
         """Close the card, unless what it shows is to be taken and cannot be yet."""
-        if not taken or self._toy.open_scene(self._found.scene, self._found.seed):
+        if not taken or self._toy.sessions.open_scene(self._found.scene, self._found.seed):
             self._card = None
-            self._toy.refresh()
+            self._toy.display.refresh()
 
 
 def _sprite(scene, size, colours):

@@ -47,19 +47,19 @@ class Recorder:
 
     def shoot_window(self):
         """Save a picture of the window as it is."""
-        surface = self._toy.window.surface.copy()
+        surface = self._toy.display.window.surface.copy()
         self._save_picture(partial(_image_of, surface))
 
     def shoot_sand(self):
         """Save a picture of the sand, its cells as many whole pixels wide as they are on the screen."""
-        world = self._toy.session.world.copy()
+        world = self._toy.sessions.now.world.copy()
         most = LARGEST_PICTURE // max(world.shape)
-        scale = max(1, min(round(self._toy.stage.view.cell), most))
+        scale = max(1, min(round(self._toy.display.stage.view.cell), most))
         self._save_picture(partial(_image_of_sand, world, scale, *self._looks()))
 
     def _save_picture(self, draw):
         """Save the image that draw() returns, beside the frames."""
-        name = self._toy.session.scene.name
+        name = self._toy.sessions.now.scene.name
 
         def work():
             image = draw()
@@ -78,7 +78,7 @@ class Recorder:
         if self.going_on:
             self.stop()
             return
-        session = self._toy.session
+        session = self._toy.sessions.now
         self._film = Film(session.world.shape, session.scene.cell, *self._looks())
         self._frames = frames = queue.SimpleQueue()  # without an end, so that nothing ever waits to put into it
         self._since_s = self._last_s = None
@@ -99,7 +99,7 @@ class Recorder:
         passed_ms = FRAME_MS if self._last_s is None else (now_s - self._last_s) * 1e3
         if passed_ms < FRAME_MS - 1:
             return
-        world = self._toy.session.world
+        world = self._toy.sessions.now.world
         if world.shape != self._film.shape or now_s - self._since_s > LONGEST_S:
             self.stop()
         elif self._frames.qsize() < MOST_WAITING:
@@ -108,8 +108,8 @@ class Recorder:
 
     def record_past(self):
         """Record the last seconds again, from the timeline."""
-        session = self._toy.session
-        if self._share is not None or not self._toy.is_there():
+        session = self._toy.sessions.now
+        if self._share is not None or not self._toy.sessions.ready():
             return
         end, speed = session.now, session.clock.speed
         start = max(0, end - round(PAST_S * speed))
@@ -129,7 +129,7 @@ class Recorder:
 
     def _looks(self):
         """Return the colours of the theme, and what the walls are made of."""
-        return self._toy.colours, self._toy.session.scene.made_of
+        return self._toy.display.colours, self._toy.sessions.now.scene.made_of
 
     def _forget_share(self):
         self._share = None

@@ -15,14 +15,14 @@ class Keeper:
         self._size = toy.window.size
         settings = toy.settings
         toy.brush.diameter = settings["brush"]
-        toy.session.limit_memory(settings["memory"])
+        toy.sessions.now.limit_memory(settings["memory"])
         if settings.problem:
             toy.notices.say(settings.problem, trouble=True)
 
     def look(self, now_s):
         """Note what changed, and save it once it is a while ago."""
         toy, settings = self._toy, self._toy.settings
-        settings["brush"], settings["memory"] = toy.brush.diameter, round(toy.session.memory_mb)
+        settings["brush"], settings["memory"] = toy.brush.diameter, round(toy.sessions.now.memory_mb)
         if toy.window.size != self._size and not toy.window.fullscreen:
             self._size = settings["window_width"], settings["window_height"] = toy.window.size
         if not settings.unsaved:

@@ -29,13 +29,13 @@ class Glow:
     def start(self, now_s):
         """Let the frame glow from now on."""
         self._since_s, self._age_s = now_s, 0.0
-        self._toy.refresh()
+        self._toy.display.refresh()
 
     def stop(self):
         """Let it go out at once."""
         if self.shown:
             self._since_s = None
-            self._toy.refresh()
+            self._toy.display.refresh()
 
     def look(self, now_s):
         """Let time pass."""
@@ -45,7 +45,7 @@ class Glow:
         if self._age_s > LASTS_S:
             self.stop()
         elif not self._toy.settings["reduced_motion"]:
-            self._toy.refresh()
+            self._toy.display.refresh()
 
     def listen(self, events, now_s, mouse_pos):
         """Leave all events to others."""

@@ -23,11 +23,11 @@ class Planner:
     @property
     def newest(self):
         """The Ending found last for this session, whether it still holds or not, or None."""
-        return self._found if self._of is not None and self._of[0] is self._toy.session.timeline else None
+        return self._found if self._of is not None and self._of[0] is self._toy.sessions.now.timeline else None
 
     def ask(self):
         """Return the Ending from here on, or None while that is being worked out."""
-        timeline = self._toy.session.timeline
+        timeline = self._toy.sessions.now.timeline
         here = timeline, timeline.history.line
         if self._of == here and timeline.now >= self._found.start:
             return self._found

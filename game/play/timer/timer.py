@@ -6,6 +6,7 @@ from game.play.window.wall_clock import wall_clock
 from game.play.window.window import TITLE
 from game.world.sand import parameters
 from game.world.sand.duration import spell, spell_left
+from game.world.sessions.session import SEEK_NS
 
 SLEPT_S = 2.0  # a frame that comes so late was kept from it by more than a busy machine
 PATIENCE_S = 5.0  # the longest that the end of the time waits for a plan
@@ -76,12 +77,12 @@ class Timer:
         self._give_back()
         self.state, self.said = OFF, ""
         self._toy.glow.stop()
-        self._toy.window.set_title(TITLE)
+        self._toy.display.window.set_title(TITLE)
 
     @property
     def own_speed(self):
         """The speed of the session's clock, or what it has to get back when the timer ends."""
-        clock = self._toy.session.clock
+        clock = self._toy.sessions.now.clock
         return self._own[1] if self._own and self._own[0] is clock else clock.speed
 
     def turned(self):
@@ -91,7 +92,7 @@ class Timer:
 
     def due(self):
         """Return how many iterations the session is to run in this frame, or None where its own clock tells."""
-        session = self._toy.session
+        session = self._toy.sessions.now
         if self.state != RUNNING or session.paused:
             return None
         self._asked = True
@@ -101,7 +102,7 @@ class Timer:
         gone_s = self.gone_s
         if holds and gone_s >= self.wanted_s and gone_s - self._was > SLEPT_S:
             self._slept = True
-            session.seek(ending.at, self._toy.SEEK_NS)
+            session.seek(ending.at, SEEK_NS)
             return 0
         if self._pace is None or self._pace.end != ending.at or session.now != self._now:
             self._pace = Pace(self._was, session.now, self.wanted_s, ending.at)
@@ -112,7 +113,7 @@ class Timer:
         """Look at a frame that was shown: let pauses not count, tell the time left, and see whether it is over."""
         if self.state != RUNNING:
             return
-        session = self._toy.session
+        session = self._toy.sessions.now
         self._hold(session.paused)
         if not self._asked:
             self._pace = None
@@ -121,11 +122,11 @@ class Timer:
         if self._is_over():
             self._end(now_s)
         else:
-            self._toy.window.set_title(f"{spell_left(self.left_s)} – {TITLE}")
+            self._toy.display.window.set_title(f"{spell_left(self.left_s)} – {TITLE}")
 
     def _set_speed(self):
         """Let the session's speed be what the timer makes it, so that the sand settles at that once it is through."""
-        clock = self._toy.session.clock
+        clock = self._toy.sessions.now.clock
         if self._own is None or clock is not self._own[0]:
             self._give_back()
             self._own = clock, clock.speed
@@ -163,7 +164,9 @@ class Timer:
         ending = self._current()
         if ending is None:
             return self.gone_s > self.wanted_s + PATIENCE_S
-        return ending.endless or (self._toy.session.timeline.goal is None and self._toy.session.now >= ending.at)
+        return ending.endless or (
+            self._toy.sessions.now.timeline.goal is None and self._toy.sessions.now.now >= ending.at
+        )
 
     def _end(self, now_s):
         toy, gone_s = self._toy, self.gone_s
@@ -185,7 +188,7 @@ class Timer:
             return f"{wanted} is over; when the sand will be through was not found in time."
         if ending.endless:
             return f"{wanted} is over; this sand comes to no end that can be foreseen."
-        if ending.iterations == 0 or self._toy.session.now > ending.at:
+        if ending.iterations == 0 or self._toy.sessions.now.now > ending.at:
             return f"{wanted} is over; {'the sand could not pass' if ending.left else 'no sand was left'} to tell it."
         return f"The last grain fell at {spell(gone_s, 2)}, {self.error_s:.2f} s late."
 
@@ -206,13 +209,13 @@ class Timer:
         """Return (reason, line) for a plan that will not do, or None."""
         if ending.endless:
             return "endless", "This sand does not come to an end that can be foreseen: the timer only counts."
-        if self._toy.session.now >= ending.at and ending.left:
+        if self._toy.sessions.now.now >= ending.at and ending.left:
             return "stuck", "The sand above the neck cannot pass it: the timer only counts."
-        if self._toy.session.now >= ending.at:
+        if self._toy.sessions.now.now >= ending.at:
             return "nothing", "No sand is above the neck: turn the glass over (F), or the timer only counts."
         left_s = self.left_s
-        pace = (ending.at - self._toy.session.now) / left_s
-        needed_s = (ending.at - self._toy.session.now) * ending.iteration_ns / 1e9
+        pace = (ending.at - self._toy.sessions.now.now) / left_s
+        needed_s = (ending.at - self._toy.sessions.now.now) * ending.iteration_ns / 1e9
         if needed_s > SHARE * left_s:
             return "slow", f"This machine needs about {spell(needed_s / SHARE)} for this glass: it will be late."
         if pace < SMOOTH and left_s > LONG_S:

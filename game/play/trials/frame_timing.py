@@ -15,7 +15,7 @@ import pygame
 from game.play import loop
 from game.play.app import Toy
 from game.play.ui.theme import Theme
-from game.play.window import opening
+from game.play.window import layout
 from game.play.window.window import Window
 from game.world.background.kernel_warmup import CELLS, later_steps, steps
 from game.world.files.settings import Settings
@@ -26,7 +26,7 @@ from game.world.scenes.scene import load_scene
 FRAME_NS = 10**9 // loop.FRAMES_PER_SECOND
 WARM_UP = 5  # frames before the count: the first ones draw everything and fill caches of rendered text
 STAGES = {  # what each stage is made of; the rest of a frame is "other"
-    "stepping": lambda toy: [(toy.session, "frame")],
+    "stepping": lambda toy: [(toy.sessions.now, "frame")],
     "drawing": lambda toy: [(toy.window, "paint")],
     "panel": lambda toy: [(toy.panel, "lay_out"), (toy.panel.ui, "end"), (toy.hud, "drawing"), (toy.hud, "count")],
     "present": lambda toy: [(toy.window, "show")],
@@ -42,7 +42,7 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
     shown: names of SHOWN, what is to be seen besides the sand. cell: pixels to a cell; None: the lattice fits.
     """
     pygame.font.init()
-    window = Window(window_size or opening.window_size(scene, scene.cell, Theme(1.0)))
+    window = Window(window_size or layout.window_size(scene, scene.cell, Theme(1.0)))
     for each in CELLS:
         for _, act in steps(scene.rule, scene.made_of, each):
             act()
@@ -50,7 +50,7 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
         act()
     toy = Toy(window, scene, p=p)
     toy.settings["smooth_streams"] = smooth
-    toy.session.clock.speed = iterations * loop.FRAMES_PER_SECOND
+    toy.sessions.now.clock.speed = iterations * loop.FRAMES_PER_SECOND
     for name in shown:
         getattr(toy.commands, SHOWN[name])()
     spent = Counter()
@@ -59,7 +59,7 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
     forecasts = {}  # the runs of each question that was answered
     for number in range(WARM_UP + count):
         if number == WARM_UP:
-            first, begin = toy.session.world.iteration, time.perf_counter()
+            first, begin = toy.sessions.now.world.iteration, time.perf_counter()
             forecasts.clear()
         spent.clear()
         _play_frame(toy, spent, number * FRAME_NS / 1e9)
@@ -69,7 +69,7 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
         if toy.forecasting.answer:
             forecasts[toy.forecasting.answer.question] = toy.forecasting.answer.runs
     seconds = time.perf_counter() - begin
-    report = _report(toy, scene, played[WARM_UP:], toy.session.world.iteration - first)
+    report = _report(toy, scene, played[WARM_UP:], toy.sessions.now.world.iteration - first)
     toy.close()
     if forecasts:
         report["forecast"] = {"per_second": len(forecasts) / seconds, "runs": statistics.median(forecasts.values())}
@@ -106,20 +106,20 @@ def _play_frame(toy, spent, now_s):
 
 def _report(toy, scene, played, iterations):
     """Return what the frames took, and whether the world shown is the one that a run without a window gives."""
-    world = toy.session.world
+    world = toy.sessions.now.world
     twin = scene.world(world.seed)
-    advance(twin, toy.session.rule, world.iteration)
+    advance(twin, toy.sessions.now.rule, world.iteration)
     columns = {stage: [each.get(stage, 0) / 1e6 for each in played] for stage in (*STAGES, "events", "other", "frame")}
     whole = columns.pop("frame")
     return {
         "scene": scene.name,
         "cells": scene.shape[::-1],
         "window": toy.window.size,
-        "pixels_per_cell": toy.stage.view.cell,
+        "pixels_per_cell": toy.display.stage.view.cell,
         "driver": pygame.display.get_driver(),
         "frames": len(played),
         "iterations": iterations,
-        "smooth": toy.session.streams is not None and toy.session.streams.follows(world),
+        "smooth": toy.sessions.now.streams is not None and toy.sessions.now.streams.follows(world),
         "stage_ms": {stage: statistics.mean(column) for stage, column in columns.items()},
         "frame_ms": {
             "mean": statistics.mean(whole),

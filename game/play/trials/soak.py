@@ -81,10 +81,11 @@ class Soak:
 
     def told(self, used_mb):
         """Return how it stands, in one line."""
-        world, past = self.toy.session.world, self.toy.session.past_bytes / 2**20
+        world, past = self.toy.sessions.now.world, self.toy.sessions.now.past_bytes / 2**20
         slow = ", ".join(map(_name, self.slow)) or "no event"
         return (
-            f"{self.frames:,} frames, {self.acts:,} events, {self.toy.session.scene.name}: {world.grains:,} grains, "
+            f"{self.frames:,} frames, {self.acts:,} events, {self.toy.sessions.now.scene.name}: "
+            f"{world.grains:,} grains, "
             f"{used_mb:.0f} MB, {past:.0f} of them the past, longest frame {self.longest_s * 1e3:.0f} ms, "
             f"{self.worked_s * 1e3:.0f} at work ({slow}){self._compiled()}"
         )
@@ -99,17 +100,17 @@ class Soak:
         worked_s = time.thread_time()
         busy = BUSY if since_s // CALM_S % 2 == 0 else CALM
         events = self.hand.events(toy.window.size, busy)
-        if toy.page and self.frames % LONGEST_PAGE == 0:
+        if toy.display.page and self.frames % LONGEST_PAGE == 0:
             events.append(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_ESCAPE, mod=0, unicode=""))
         self.recent.extend(events)
         self.acts += len(events)
         if since_s // RESTART_S > self._opened:
             self._opened += 1
-            toy.load(SCENES[self._opened % len(SCENES)])
+            toy.sessions.load(SCENES[self._opened % len(SCENES)])
         toy.frame(events, round(elapsed_s * 1e9), now_s, self.hand.pointer)
         toy.running = True  # whatever the hand did to leave
-        if toy.session.memory_mb > MEMORY_MB:  # the hand has found the slider
-            toy.session.limit_memory(MEMORY_MB)
+        if toy.sessions.now.memory_mb > MEMORY_MB:  # the hand has found the slider
+            toy.sessions.now.limit_memory(MEMORY_MB)
         self.frames += 1
         took_s = time.perf_counter() - now_s
         if took_s > self.longest_s:
@@ -117,7 +118,7 @@ class Soak:
         self._audit()
 
     def _audit(self):
-        session = self.toy.session
+        session = self.toy.sessions.now
         if not session.account.balanced(session.world):
             raise SoakError(f"{session.world.grains} grains, wanted {session.account.expected}")
 

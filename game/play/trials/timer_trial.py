@@ -103,14 +103,14 @@ def play(trial, seed):
         if trial.losses and losses.random() < LOSS:
             time.sleep(losses.uniform(0.05, LONGEST_LOSS_S))
         pace.tick(FRAMES_PER_SECOND)
-    fallen = "The last grain fell" in toy.timer.said and toy.session.account.balanced(toy.session.world)
+    fallen = "The last grain fell" in toy.timer.said and toy.sessions.now.account.balanced(toy.sessions.now.world)
     toy.running = False
     return {
         "late_s": shown_s - began_s - trial.seconds,
         "frame_s": last_frame_s,
         "worst_frame_s": worst_s,
         "fallen": fallen,
-        "iterations": toy.session.now,
+        "iterations": toy.sessions.now.now,
     }
 
 
@@ -124,17 +124,17 @@ def _acts(trial, toy, draw):
     if trial.flips:
         acts.append((at(0.3, 0.7), toy.commands.flip))
     if trial.changes:
-        acts.append((at(0.2, 0.5), lambda: toy.do(SetRule(Rule.with_p(draw.uniform(0.3, 1.0), "balanced")))))
-        acts.append((at(0.5, 0.6), lambda: toy.do(Load(scene_of(glass_for(trial.seconds * 0.8)), 7))))
+        acts.append((at(0.2, 0.5), lambda: toy.sessions.do(SetRule(Rule.with_p(draw.uniform(0.3, 1.0), "balanced")))))
+        acts.append((at(0.5, 0.6), lambda: toy.sessions.do(Load(scene_of(glass_for(trial.seconds * 0.8)), 7))))
     return sorted(acts, key=lambda each: each[0])
 
 
 def _stroke(toy, draw):
     """Paint a stroke of sand somewhere in the upper half."""
-    height, width = toy.session.world.shape
+    height, width = toy.sessions.now.world.shape
     x, y = width * draw.uniform(0.4, 0.6), height * draw.uniform(0.15, 0.35)
     for step in range(6):
-        toy.do(Paint("sand", (x + step, y), (x + step + 1, y), 4), join=step > 0)
+        toy.sessions.do(Paint("sand", (x + step, y), (x + step + 1, y), 4), join=step > 0)
 
 
 def run(wanted, together):

@@ -20,13 +20,13 @@ class Card:
 
     def lay_out(self, toy, top, events, now_s, mouse_pos):
         """Begin a frame of controls at `top` pixels under the upper edge of the sand; return the events left over."""
-        theme, area = toy.theme, toy.layout.sand
+        theme, area = toy.display.theme, toy.display.layout.sand
         self.ui.theme = theme
         wide = min(theme.px(self._width), area.width - 2 * theme.px(8))
         high = min(self.ui.focus.scroll.content or theme.px(GUESS), area.height - top)
         rect = pygame.Rect(area.centerx - wide // 2, area.y + top, wide, high)
         if events or rect != self.rect:
-            toy.refresh()
+            toy.display.refresh()
         self.rect = rect
         return self.ui.begin(rect, events, now_s, mouse_pos)
 

@@ -32,7 +32,7 @@ class Blocks:
     def toggle(self):
         """Show the blocks, or hide them; if they cannot be seen now, say why."""
         self.on = not self.on
-        if self.on and self._toy.stage.view.cell < LEAST_CELL:
+        if self.on and self._toy.display.stage.view.cell < LEAST_CELL:
             words = "Zoom in until grains are large, and their blocks will show: Ctrl+wheel, or Ctrl and +"
             self._toy.notices.say(words, holds=lambda: self.on and not self.shown)
         elif self.on and not self._is_calm:
@@ -42,11 +42,16 @@ class Blocks:
     @property
     def shown(self):
         """Whether they are to be drawn."""
-        return self.on and self._is_calm and self._toy.stage.view.cell >= LEAST_CELL and not self._toy.stage.turn
+        return (
+            self.on
+            and self._is_calm
+            and self._toy.display.stage.view.cell >= LEAST_CELL
+            and not self._toy.display.stage.turn
+        )
 
     @property
     def _is_calm(self):
-        session = self._toy.session
+        session = self._toy.sessions.now
         return session.paused or session.clock.speed <= SLOW
 
     def prepare(self):
@@ -59,13 +64,13 @@ class Blocks:
             self._look(before, known)
         else:
             self.coming = self.trails = self.stays = None
-        self._toy.stage.blocks = self if known else None
-        self._toy.stage.refresh()
+        self._toy.display.stage.blocks = self if known else None
+        self._toy.display.stage.refresh()
 
     def draw(self, surface, theme, view):
         """Draw them over the cells in sight, as far as the surface's clip goes."""
         cell, clip = view.cell, surface.get_clip()
-        surface.set_clip(clip.clip(self._toy.stage.area))
+        surface.set_clip(clip.clip(self._toy.display.stage.area))
         _draw_lines(surface, view, offset(self._known[0], self._known[3]), theme)
         inks = tuple(theme.rgb(role) for role in (look.SUNKEN, look.DIM, look.BRIGHT_HANDLE))
         for events, sprite_of in ((self.trails, _trail), (self.stays, _stay), (self.coming, _arrow)):
@@ -76,7 +81,7 @@ class Blocks:
         surface.set_clip(clip)
 
     def _present(self):
-        session, stage = self._toy.session, self._toy.stage
+        session, stage = self._toy.sessions.now, self._toy.display.stage
         world = session.world
         return world, world.iteration, world.activity.stamp, session.rule, stage.view
 

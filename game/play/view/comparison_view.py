@@ -22,8 +22,10 @@ REFRESH_S = 0.25  # the grains left are counted so often
 class Panes:
     """Looks like a Stage to the toy; what is shown and done in one pane is shown and done in all."""
 
-    def __init__(self, window, toy, comparison):
-        self._window, self._toy, self._comparison = window, toy, comparison
+    def __init__(self, window, comparison, measured_row):
+        """`measured_row()` returns the row above which the grains left are counted."""
+        self._window, self._comparison, self._measured_row = window, comparison, measured_row
+        self._theme = None
         self._stages = {each: Stage(window) for each in comparison.sessions}
         self._lead = self._stages[comparison.schedule]
         self._shifts = {}  # of each pane from the leading one, in pixels
@@ -60,7 +62,7 @@ class Panes:
 
     def fit(self, shape, area, margin, theme, walls):
         """Show lattices of `shape` beside or below one another in `area`, whichever leaves larger cells."""
-        high, gap = theme.px(TITLE), theme.px(GAP)
+        self._theme, high, gap = theme, theme.px(TITLE), theme.px(GAP)
         ways = [_split(area, len(self._stages), across, high, gap) for across in (True, False)]
         rects = max(ways, key=lambda rects: min(rects[0].height / shape[0], rects[0].width / shape[1]))
         for (schedule, stage), rect in zip(self._stages.items(), rects, strict=True):
@@ -157,13 +159,13 @@ class Panes:
     def _count(self, now_s):
         """Count the grains that are left above, if it is time to."""
         if self._counted_s is None or now_s - self._counted_s >= REFRESH_S:
-            self._counted_s, row = now_s, self._toy.plots.measured_row
+            self._counted_s, row = now_s, self._measured_row()
             sessions = self._comparison.sessions.items()
             self._left = {schedule: grains_above(session.world, row) for schedule, session in sessions}
 
     def _written(self):
         """Return {schedule: (name, its size, its count)}: the fullest form that there is room for in all titles."""
-        theme, titles = self._toy.theme, self.titles()
+        theme, titles = self._theme, self.titles()
         room = min(rect.width for rect in self._titles.values()) - 2 * theme.px(PAD)
         for size, number in FORMS:
             written = {each: (name, size, _first(left, number)) for each, (name, left) in titles.items()}
@@ -175,7 +177,7 @@ class Panes:
         return {each: title for each, title in self._written().items() if title != self._drawn.get(each)}
 
     def _draw_titles(self):
-        new, theme, surface = self._new_titles(), self._toy.theme, self._window.surface
+        new, theme, surface = self._new_titles(), self._theme, self._window.surface
         for schedule, (name, size, left) in new.items():
             rect, leads = self._titles[schedule], schedule == self._comparison.schedule
             draw_list.fill(surface, theme, rect, look.SUNKEN)
@@ -193,7 +195,7 @@ class Panes:
             return []
         self._gapped = True
         for gap in self._gaps:
-            draw_list.fill(self._window.surface, self._toy.theme, gap, look.EDGE)
+            draw_list.fill(self._window.surface, self._theme, gap, look.EDGE)
         return self._gaps
 
 

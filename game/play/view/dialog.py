@@ -43,12 +43,12 @@ class Question:
     def ask(self, title, text, answers):
         """Open a question in place of the one before."""
         self._title, self._text, self._answers = title, text, answers
-        self._card = Card(self._toy.theme, WIDTH)
-        self._toy.refresh()
+        self._card = Card(self._toy.display.theme, WIDTH)
+        self._toy.display.refresh()
 
     def listen(self, events, now_s, mouse_pos):
         """Take the answer, if one is among the events, and return the events that are not the question's."""
-        rest = self._card.lay_out(self._toy, self._toy.theme.px(TOP), events, now_s, mouse_pos)
+        rest = self._card.lay_out(self._toy, self._toy.display.theme.px(TOP), events, now_s, mouse_pos)
         ui, chosen = self.ui, None
         ui.heading(self._title)
         ui.text(self._text)
@@ -73,6 +73,6 @@ class Question:
 
     def _close(self, answer):
         self._card = None
-        self._toy.refresh()
+        self._toy.display.refresh()
         if answer.act:
             answer.act()

@@ -59,7 +59,7 @@ class Hints:
 
     def _watch(self, now_s):
         """Note since when the sand has been at rest."""
-        if not self._toy.session.settled:
+        if not self._toy.sessions.now.settled:
             self._still_since_s = None
         elif self._still_since_s is None:
             self._still_since_s = now_s
@@ -69,7 +69,7 @@ class Hints:
 
         What was done already in a session that has just been opened, such as a replay, is not the player's doing.
         """
-        timeline = self._toy.session.timeline
+        timeline = self._toy.sessions.now.timeline
         before, self._before = self._before, (timeline, timeline.history.line)
         if before[0] is not timeline or before[1] is timeline.history.line:
             return None
@@ -84,12 +84,12 @@ class Hints:
 
     def _is_moment(self, hint, now_s):
         toy = self._toy
-        if toy.page or toy.notices.shown or toy.can_leave_session or now_s - self._start_s < hint.after_s:
+        if toy.display.page or toy.notices.shown or toy.sessions.can_leave or now_s - self._start_s < hint.after_s:
             return False
         if self._last_s is not None and now_s - self._last_s < APART_S:
             return False
         rests = self._still_since_s is not None and now_s - self._still_since_s > STILL_S
-        return hint.name != "flip" or (rests and toy.session.world.grains > 0)
+        return hint.name != "flip" or (rests and toy.sessions.now.world.grains > 0)
 
     def _remember(self, hint):
         settings = self._toy.settings

@@ -9,7 +9,6 @@ class Screen:
 
     def __init__(self, toy):
         self._toy = toy
-        self.stale = False  # the stage has to be drawn anew
         self._hud_drawn = self._bar_drawn = None
         self._lay_over = self._draw_over  # one object, which the stage knows again
 
@@ -18,40 +17,40 @@ class Screen:
         self._hud_drawn = self._bar_drawn = None
         self._toy.plots.forget()
         self._toy.panel.ui.invalidate()
-        if self._toy.page:
-            self._toy.page.forget()
+        if self._toy.display.page:
+            self._toy.display.page.forget()
 
     def draw(self, now_s):
         """Draw the parts of the window that differ from what is on it; return their rects."""
-        toy, layout, surface = self._toy, self._toy.layout, self._toy.window.surface
-        if toy.page:
-            return toy.page.draw(surface)
-        if self.stale:
-            toy.stage.refresh()
+        toy, layout, surface = self._toy, self._toy.display.layout, self._toy.display.window.surface
+        if toy.display.page:
+            return toy.display.page.draw(surface)
+        if toy.display.stale:
+            toy.display.stage.refresh()
         toy.blocks.prepare()
         rects = []
-        if self.stale or not toy.stepping.passing(now_s):
-            streams = None if toy.session.paused else toy.session.streams
-            rects = toy.stage.draw(toy.session.world, self._marks(), self._overlay(), now_s, streams)
-        self.stale = False
-        bar = toy.time_bar.drawing(toy.session)
+        if toy.display.stale or not toy.stepping.passing(now_s):
+            streams = None if toy.sessions.now.paused else toy.sessions.now.streams
+            rects = toy.display.stage.draw(toy.sessions.now.world, self._marks(), self._overlay(), now_s, streams)
+        toy.display.stale = False
+        bar = toy.time_bar.drawing(toy.sessions.now)
         if bar != self._bar_drawn:
-            draw_list.draw(surface, toy.theme, bar)
+            draw_list.draw(surface, toy.display.theme, bar)
             self._bar_drawn = bar
             rects.append(layout.bar)
-        line = toy.hud.drawing(layout.hud, toy.session, self._said(), toy.timer.words)
+        line = toy.hud.drawing(toy.display.theme, layout.hud, toy.sessions.now, self._said(), toy.timer.words)
         if line != self._hud_drawn:
-            draw_list.draw(surface, toy.theme, line)
+            draw_list.draw(surface, toy.display.theme, line)
             self._hud_drawn = line
             rects.append(layout.hud)
         rects += toy.plots.draw(surface)
-        if toy.panel_shown and toy.panel.ui.end(surface):
+        if toy.display.panel_shown and toy.panel.ui.end(surface):
             rects.append(layout.panel)
         return rects
 
     def _said(self):
         """Return what the HUD is to say first, or ""."""
-        toy, timeline = self._toy, self._toy.session.timeline
+        toy, timeline = self._toy, self._toy.sessions.now.timeline
         if toy.stepping.on_the_way:
             return f"Computing the sand: {100 * timeline.moment.now // timeline.goal} %"
         return toy.recorder.said or ("Time runs back" if toy.rewind.held else toy.ahead.words)
@@ -63,15 +62,17 @@ class Screen:
 
     def _draw_over(self, surface):
         """Draw all overlays and return the rects that they cover."""
-        toy, area = self._toy, self._toy.layout.sand
-        return [rect for each in toy.overlays if each.shown for rect in each.draw(surface, toy.theme, area)]
+        toy, area = self._toy, self._toy.display.layout.sand
+        return [rect for each in toy.overlays if each.shown for rect in each.draw(surface, toy.display.theme, area)]
 
     def _marks(self):
         """Return the marks of the fixtures, of a table that leans, and of the tool over the sand."""
-        toy, view, pointer = self._toy, self._toy.stage.view, self._toy.hearing.pointer
-        if toy.stage.turn:
+        toy, view, pointer = self._toy, self._toy.display.stage.view, self._toy.hearing.pointer
+        if toy.display.stage.turn:
             return ()
-        marks = tilt.marks(toy.session.rule, view) + fixture_tool.marks(toy.session.world.fixtures, view, toy.theme.px)
+        marks = tilt.marks(toy.sessions.now.rule, view) + fixture_tool.marks(
+            toy.sessions.now.world.fixtures, view, toy.display.theme.px
+        )
         if toy.camera.busy or toy.photo.shown:
             return marks
         if toy.cursor.on and not toy.brush.by_mouse:

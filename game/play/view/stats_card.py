@@ -35,7 +35,7 @@ class Figures:
     @property
     def height(self):
         """How many pixels it takes of the sand's lower edge."""
-        theme = self._toy.theme
+        theme = self._toy.display.theme
         if not self.shown:
             return 0
         return len(self._rows()) * theme.line_height(look.SMALL) + 2 * theme.px(PAD) + theme.px(AWAY)
@@ -46,7 +46,7 @@ class Figures:
 
     def follow(self, pointer, now_s):
         """Note where the pointer is, in the window."""
-        here = pointer is not None and self._toy.layout.hud.collidepoint(pointer)
+        here = pointer is not None and self._toy.display.layout.hud.collidepoint(pointer)
         if not here:
             self._since_s, self._pointed = None, False
         elif self._since_s is None:
@@ -63,7 +63,7 @@ class Figures:
             lines = self.lines if wanted else ()
         if lines != self.lines:
             self.lines = lines
-            self._toy.refresh()
+            self._toy.display.refresh()
 
     def listen(self, events, now_s, mouse_pos):
         """Leave all events to others."""
@@ -83,12 +83,12 @@ class Figures:
 
     def _rows(self):
         """Return the lines broken to fit the sand's part of the window."""
-        theme = self._toy.theme
-        room = min(theme.px(WIDTH), self._toy.layout.sand.width - 2 * theme.px(AWAY)) - 2 * theme.px(PAD)
+        theme = self._toy.display.theme
+        room = min(theme.px(WIDTH), self._toy.display.layout.sand.width - 2 * theme.px(AWAY)) - 2 * theme.px(PAD)
         return [row for line in self.lines for row in theme.lines(line, look.SMALL, room)]
 
     def _write(self, reading):
-        session = self._toy.session
+        session = self._toy.sessions.now
         if reading:
             work = f"{reading.frame_ms:.1f} of {BUDGET_NS / 1e6:.0f} ms of work each"
             yield f"{reading.frames_per_second:.0f} frames a second, {work}"

@@ -6,7 +6,6 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.view.frame_stats import Gauge
 
-HEIGHT = 30  # pixels at scale 1
 GAP = "    "
 KEY = "F1  all keys"
 NEAR = 0.05  # a speed that differs less from the one that is set is shown as that: the line keeps still
@@ -15,8 +14,7 @@ NEAR = 0.05  # a speed that differs less from the one that is set is shown as th
 class Hud:
     """Gathers what frames took and says what matters of it; Figures tells the rest."""
 
-    def __init__(self, theme):
-        self.theme = theme
+    def __init__(self):
         self.gauge = Gauge()
         self._pace = self._grains = ""
         self.account, self.grains = None, 0  # the books and the grains at the latest reading
@@ -30,32 +28,32 @@ class Hud:
             self._pace, self._grains = _pace(self.gauge.reading, session), _grains(now, books)
             self._alarm = (self.gauge.reading.full and not session.paused) or now != books
 
-    def drawing(self, rect, session, said="", aside=""):
+    def drawing(self, theme, rect, session, said="", aside=""):
         """Return the strokes of the line in `rect`: a value that changes only when the line does.
 
         said: goes first, and is to be noticed. aside: goes first where nothing is said.
         """
-        px = self.theme.px
+        px = theme.px
         words = pygame.Rect(rect).inflate(-2 * px(12), 0)
         first = [said or aside] if said or aside else []
         if session.now < session.reached:
             first.append(f"Iteration {session.now:,} of {session.reached:,}")
-        text = self._fitting(first, "Paused" if session.paused else self._pace, words.width)
+        text = self._fitting(theme, first, "Paused" if session.paused else self._pace, words.width)
         colour = look.ACCENT if said or self._alarm else look.DIM
         line = [
             (draw_list.fill, tuple(rect), look.SUNKEN),
             (draw_list.words, tuple(words), text, look.SMALL, colour, 0),
         ]
-        if self.theme.width(text, look.SMALL) + px(24) + self.theme.width(KEY, look.SMALL) <= words.width:
+        if theme.width(text, look.SMALL) + px(24) + theme.width(KEY, look.SMALL) <= words.width:
             line.append((draw_list.words, tuple(words), KEY, look.SMALL, look.FAINT, 1))
         return line
 
-    def _fitting(self, first, pace, room):
+    def _fitting(self, theme, first, pace, room):
         """Return as much of the line as there is room for."""
         if self.gauge.reading is None:
             return GAP.join(first)
         lines = [GAP.join(each) for each in ([*first, pace, self._grains], [*first, pace], first) if each]
-        return next((line for line in lines if self.theme.width(line, look.SMALL) <= room), lines[-1])
+        return next((line for line in lines if theme.width(line, look.SMALL) <= room), lines[-1])
 
 
 def _pace(reading, session):

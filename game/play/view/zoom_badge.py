@@ -30,7 +30,7 @@ class Badge:
             self._until_s = now_s + STAY_S
         elif self.shown and now_s > self._until_s:
             self.shown = False
-            self._toy.refresh()
+            self._toy.display.refresh()
 
     def listen(self, events, now_s, mouse_pos):
         """Leave all events to others."""
@@ -42,7 +42,7 @@ class Badge:
         It is at the right of `area`, or at its left if the leading one of several worlds is further right. Return the
         rects that they cover.
         """
-        px, stage, view = theme.px, self._toy.stage, self._toy.stage.view
+        px, stage, view = theme.px, self._toy.display.stage, self._toy.display.stage.view
         text = words(view.cell)
         box = pygame.Rect(0, stage.area.y + px(AWAY), theme.width(text, look.BODY) + 2 * px(PAD), px(HEIGHT))
         box.right = area.right - px(AWAY)

@@ -63,7 +63,7 @@ class Hiss:
             return
         if now_s - self._looked_s >= LOOK_S:
             self._looked_s = now_s
-            self._goal = _heard(*self._stir.look(self._toy.session.world)) if wanted else (0.0, self.side)
+            self._goal = _heard(*self._stir.look(self._toy.sessions.now.world)) if wanted else (0.0, self.side)
         self._glide(min(1.0, (now_s - self._then_s) / GLIDE_S))
         self._then_s = now_s
         self._play(wanted)

@@ -10,6 +10,7 @@ from game.world.sessions.timeline import Timeline
 
 FRAMES_PER_SECOND = 60  # shown
 BUDGET_NS = 16_000_000  # what a frame may take
+SEEK_NS = 30_000_000  # on the way to another moment it may take this long: more than two snapshots are apart
 
 
 class Session:

@@ -32,7 +32,7 @@ def finger(player, kind, number, pos):
 
 
 def shown(player):
-    area = player.toy.layout.sand
+    area = player.toy.display.layout.sand
     return pygame.surfarray.array2d(player.toy.window.surface)[: area.width, : area.height]
 
 
@@ -43,7 +43,7 @@ def is_fresh(player):
         player.now_s += 60  # what is said goes away
         player.wait(1)
     before = shown(player)
-    player.toy.stage.refresh()
+    player.toy.display.stage.refresh()
     player.frame()
     return (before == shown(player)).all()
 
@@ -52,10 +52,10 @@ def test_the_cell_under_the_pointer_stays_there_as_the_wheel_zooms(still):
     pos = still.pixel(60, 45)
     for notches in (1, 1, 3, -1, 2, -2):
         wheel(still, notches, pos)
-        assert [int(part) for part in still.toy.stage.view.place(*pos)] == [60, 45]
-    assert still.toy.stage.view.cell == 10 and still.toy.brush.diameter == 6
+        assert [int(part) for part in still.toy.display.stage.view.place(*pos)] == [60, 45]
+    assert still.toy.display.stage.view.cell == 10 and still.toy.brush.diameter == 6
     still.key(pygame.K_0, "0")
-    assert still.toy.stage.view == still.toy.stage.whole
+    assert still.toy.display.stage.view == still.toy.display.stage.whole
 
 
 def test_sand_is_painted_on_the_cell_under_the_pointer_at_every_zoom(still):
@@ -64,7 +64,7 @@ def test_sand_is_painted_on_the_cell_under_the_pointer_at_every_zoom(still):
     for notches in (0, 2, 3, 4):
         wheel(still, notches, pos)
         for dx, dy in ((0, 0), (100, 30), (-200, -120)):
-            column, row = (int(part) for part in still.toy.stage.view.place(pos[0] + dx, pos[1] + dy))
+            column, row = (int(part) for part in still.toy.display.stage.view.place(pos[0] + dx, pos[1] + dy))
             still.click((pos[0] + dx, pos[1] + dy))
             assert still.world.sand[row, column]
     assert still.world.grains <= 12
@@ -74,9 +74,9 @@ def test_sand_is_painted_on_the_cell_under_the_pointer_at_every_zoom(still):
 def test_the_middle_button_drags_the_lattice_along(still):
     wheel(still, 4, still.pixel(60, 45))
     start = (300, 300)
-    place = still.toy.stage.view.place(*start)
+    place = still.toy.display.stage.view.place(*start)
     still.drag(start, (310, 305), (350, 280), button=2)
-    assert still.toy.stage.view.place(350, 280) == pytest.approx(place)
+    assert still.toy.display.stage.view.place(350, 280) == pytest.approx(place)
     assert still.world.grains == 0
 
 
@@ -84,10 +84,10 @@ def test_space_drags_or_else_pauses(player):
     wheel(player, 4, player.pixel(60, 45))
     player.press(pygame.K_SPACE, " ")
     assert not player.session.paused
-    place = player.toy.stage.view.place(300, 300)
+    place = player.toy.display.stage.view.place(300, 300)
     player.drag((300, 300), (330, 290))
     player.release(pygame.K_SPACE)
-    assert player.toy.stage.view.place(330, 290) == pytest.approx(place)
+    assert player.toy.display.stage.view.place(330, 290) == pytest.approx(place)
     assert not player.session.paused and player.world.grains == 0
     player.key(pygame.K_SPACE, " ")
     assert player.session.paused
@@ -96,24 +96,24 @@ def test_space_drags_or_else_pauses(player):
 def test_keys_zoom_and_look_around(still):
     for _ in range(4):
         still.key(pygame.K_PLUS, "+", pygame.KMOD_LCTRL)
-    view = still.toy.stage.view
+    view = still.toy.display.stage.view
     still.key(pygame.K_RIGHT, "", pygame.KMOD_LCTRL)
     still.key(pygame.K_DOWN, "", pygame.KMOD_LCTRL)
-    moved = still.toy.stage.view
+    moved = still.toy.display.stage.view
     assert moved.left < view.left and moved.top < view.top and moved.cell == view.cell
     still.key(pygame.K_MINUS, "-", pygame.KMOD_LCTRL)
-    assert still.toy.stage.view.cell < view.cell
+    assert still.toy.display.stage.view.cell < view.cell
 
 
 def test_what_was_in_the_middle_is_there_after_the_window_has_changed(still):
     wheel(still, 5, still.pixel(30, 40))
     for size in ((1200, 800), (900, 700)):
-        area = still.toy.stage.area
-        middle = still.toy.stage.view.place(area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
+        area = still.toy.display.stage.area
+        middle = still.toy.display.stage.view.place(area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
         pygame.display.set_mode(size, pygame.RESIZABLE, 32)
         still.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-        area = still.toy.stage.area
-        after = still.toy.stage.view.place(area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
+        area = still.toy.display.stage.area
+        after = still.toy.display.stage.view.place(area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
         assert after == pytest.approx(middle, abs=1.5)
 
 
@@ -121,14 +121,14 @@ def test_the_turned_glass_shows_the_same_sand_upside_down(glass):
     glass.hold_time()
     wheel(glass, 4, glass.pixel(100, 60))
     glass.wait(100)
-    view = glass.toy.stage.view
+    view = glass.toy.display.stage.view
     glass.key(pygame.K_f, "f")
     glass.now_s += 1e6
     glass.wait(2)
-    turned = glass.toy.stage.view
+    turned = glass.toy.display.stage.view
     x, y = 300, 300
     column, row = view.place(x, y)
-    area = glass.toy.stage.area
+    area = glass.toy.display.stage.area
     beyond = turned.place(area.x + area.right - 1 - x, area.y + area.bottom - 1 - y)
     assert beyond == pytest.approx((view.shape[1] - column, view.shape[0] - row), abs=1e-6)
     assert is_fresh(glass)
@@ -141,16 +141,16 @@ def test_two_fingers_zoom_and_take_back_what_one_has_painted(still):
     assert still.world.grains > 0
     finger(still, pygame.FINGERDOWN, 2, other)
     assert still.world.grains == 0
-    place, cell = still.toy.stage.view.place(350, 300), still.toy.stage.view.cell
+    place, cell = still.toy.display.stage.view.place(350, 300), still.toy.display.stage.view.cell
     finger(still, pygame.FINGERMOTION, 1, (200, 300))
     still.frame(pygame.event.Event(pygame.MOUSEMOTION, pos=(200, 300), rel=(0, 0), buttons=(1, 0, 0), touch=True))
     finger(still, pygame.FINGERMOTION, 2, (500, 300))
-    assert still.toy.stage.view.cell == pytest.approx(3 * cell)
-    assert still.toy.stage.view.place(350, 300) == pytest.approx(place)
+    assert still.toy.display.stage.view.cell == pytest.approx(3 * cell)
+    assert still.toy.display.stage.view.place(350, 300) == pytest.approx(place)
     finger(still, pygame.FINGERUP, 2, (500, 300))
     finger(still, pygame.FINGERUP, 1, (200, 300))
     still.frame(pygame.event.Event(pygame.MOUSEBUTTONUP, pos=(200, 300), button=1, touch=True))
-    assert still.world.grains == 0 and still.toy.stage.view.cell == round(3 * cell)
+    assert still.world.grains == 0 and still.toy.display.stage.view.cell == round(3 * cell)
     still.click(one)
     assert still.world.grains > 0
 

@@ -26,7 +26,7 @@ SCENE = scene_of(small_glass(60))
 def watcher():
     """Return a player with a small glass, whose time is held."""
     player = Player("hourglass", size=(700, 560))
-    player.toy.open_scene(SCENE, 4)
+    player.toy.sessions.open_scene(SCENE, 4)
     player.session.paused = True
     player.wait(0)
     yield player
@@ -96,9 +96,9 @@ def test_the_key_belongs_to_a_control_that_has_the_keyboard(watcher):
 def test_a_button_that_was_clicked_keeps_neither_right_nor_escape_to_itself(watcher):
     watcher.click(watcher.control("Compare"))
     watcher.settle()
-    assert len(watcher.toy.former) == 1
+    assert len(watcher.toy.sessions.waiting) == 1
     watcher.key(pygame.K_ESCAPE)
-    assert not watcher.toy.former
+    assert not watcher.toy.sessions.waiting
     watcher.click(watcher.control("Flip"))
     watcher.now_s += 10
     watcher.wait(2)
@@ -174,7 +174,7 @@ def test_it_is_said_that_nothing_will_pass(watcher):
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher)
     assert watcher.toy.notices.text == "No sand will pass the neck any more."
-    watcher.toy.load("blank")
+    watcher.toy.sessions.load("blank")
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     assert "no one neck" in watcher.toy.notices.text
 
@@ -182,15 +182,15 @@ def test_it_is_said_that_nothing_will_pass(watcher):
 def test_an_act_that_moves_sand_past_the_neck_is_no_flow(watcher):
     watcher.key(pygame.K_END)
     go_on(watcher)
-    watcher.toy.do(Flip())
+    watcher.toy.sessions.do(Flip())
     watcher.toy.ahead.await_flow()
-    watcher.toy.do(Flip())
+    watcher.toy.sessions.do(Flip())
     go_on(watcher)
     assert watcher.toy.notices.text == "No sand will pass the neck any more."
 
 
 def test_escape_stops_it(watcher):
-    watcher.toy.do(SetRule(Rule.with_p(1e-6, "balanced")))
+    watcher.toy.sessions.do(SetRule(Rule.with_p(1e-6, "balanced")))
     watcher.key(pygame.K_END)
     watcher.wait(3)
     assert watcher.world.iteration > 0
@@ -205,7 +205,7 @@ def test_undo_and_replay_agree_with_time_that_ran_ahead(watcher):
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher)
     flow = session.now
-    watcher.toy.do(Flip())
+    watcher.toy.sessions.do(Flip())
     watcher.key(pygame.K_END)
     go_on(watcher)
     end, digest = session.now, session.world.digest()
@@ -226,7 +226,7 @@ def test_an_ending_foreseen_is_where_the_flow_ends(watcher):
 
 def test_another_lattice_ends_the_wait_for_the_flow(watcher):
     watcher.toy.ahead.await_flow()
-    watcher.toy.load("blank")
+    watcher.toy.sessions.load("blank")
     watcher.frame()
     assert watcher.toy.ahead.due() is None
 
@@ -235,7 +235,7 @@ def test_an_act_while_the_iteration_is_looked_for_ends_the_search(watcher):
     watcher.toy.ahead.await_flow()
     while watcher.toy.ahead.due() != 0:
         watcher.frame()
-    watcher.toy.do(SetRule(Rule.with_p(0.25)))
+    watcher.toy.sessions.do(SetRule(Rule.with_p(0.25)))
     watcher.settle()
     assert watcher.toy.ahead.due() is None
 
@@ -284,7 +284,7 @@ def test_a_plan_for_what_is_no_longer_so_is_given_up(watcher, monkeypatch):
         context.setattr(run_out_planner, "find_ending", endless)
         watcher.toy.planner.ask()
         time.sleep(0.01)
-    watcher.toy.do(Flip())
+    watcher.toy.sessions.do(Flip())
     for _ in range(2):
         assert watcher.toy.planner.ask() is None
         watcher.settle()

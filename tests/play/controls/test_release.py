@@ -18,7 +18,7 @@ def brush(player):
 
 def lattice(player):
     player.toy.camera.zoom(4)
-    return pressed_at(player, player.toy.stage.area.center, button=2)
+    return pressed_at(player, player.toy.display.stage.area.center, button=2)
 
 
 def time_bar(player):
@@ -65,10 +65,10 @@ def test_what_a_button_holds_is_let_go_of_when_a_page_opens_or_the_panel_goes(gl
     let_go()
     glass.key(key)
     assert not holds(glass)
-    view, grains, rule, now = glass.toy.stage.view, glass.world.grains, glass.session.rule, glass.session.now
+    view, grains, rule, now = glass.toy.display.stage.view, glass.world.grains, glass.session.rule, glass.session.now
     glass.move((200, 200))
     glass.wait(10)
-    assert (glass.toy.stage.view, glass.world.grains, glass.session.rule) == (view, grains, rule)
+    assert (glass.toy.display.stage.view, glass.world.grains, glass.session.rule) == (view, grains, rule)
     assert 0 < glass.session.now - now < 100
     glass.click(glass.control("Pause"))
     assert glass.session.paused
@@ -100,7 +100,7 @@ def test_a_stroke_cut_off_in_one_pane_does_not_bind_the_next_to_it():
     player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
     player.wait(1)
     x, y = player.pixel(60, 190)
-    left = min(shift for shift, _ in player.toy.stage._shifts.values())
+    left = min(shift for shift, _ in player.toy.display.stage._shifts.values())
     player.button(pygame.MOUSEBUTTONDOWN, (x + left, y))
     lose_focus(player)
     player.key(pygame.K_c, "c")

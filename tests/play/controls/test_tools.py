@@ -193,7 +193,7 @@ def test_a_stroke_whose_beginning_was_lost_is_taken_back_without_the_one_before(
     still.drag(still.pixel(20, 20), still.pixel(60, 25))
     grains = still.world.grains
     with monkeypatch.context() as way:
-        way.setattr(still.toy, "is_there", lambda: False)
+        way.setattr(still.toy.sessions, "ready", lambda: False)
         still.button(pygame.MOUSEBUTTONDOWN, still.pixel(20, 60))
     still.move(still.pixel(60, 65))
     still.button(pygame.MOUSEBUTTONUP, still.pixel(60, 65))
@@ -216,7 +216,7 @@ def test_a_finger_paints_as_the_mouse_does_and_not_twice(still):
     both(pygame.MOUSEBUTTONDOWN, pygame.FINGERDOWN, (10, 10))
     both(pygame.MOUSEMOTION, pygame.FINGERMOTION, (60, 40))
     both(pygame.MOUSEBUTTONUP, pygame.FINGERUP, (60, 40))
-    ends = [still.toy.stage.view.place(*still.pixel(*cell)) for cell in ((10, 10), (60, 40))]
+    ends = [still.toy.display.stage.view.place(*still.pixel(*cell)) for cell in ((10, 10), (60, 40))]
     assert [entry.what for entry in acts(still)] == [Paint("sand", *ends, 3)]
     assert still.session.account.painted == still.world.grains
 
@@ -231,9 +231,9 @@ def test_marks_of_a_gesture_leave_no_trace(still):
     still.pointer = None
     still.frame()
     shown = pygame.surfarray.array2d(still.toy.window.surface)
-    still.toy.stage.refresh()
+    still.toy.display.stage.refresh()
     still.frame()
-    area = still.toy.layout.sand
+    area = still.toy.display.layout.sand
     fresh = pygame.surfarray.array2d(still.toy.window.surface)
     assert (shown[: area.width, : area.height] == fresh[: area.width, : area.height]).all()
 
@@ -289,7 +289,7 @@ def test_quarter_turns_turn_the_table_and_back(glass):
     glass.session.paused = True
     before, (height, width) = glass.world.digest(), glass.world.shape
     glass.key(pygame.K_f, "F", pygame.KMOD_LSHIFT)
-    assert glass.world.shape == (width, height) and glass.toy.stage.view.shape == (width, height)
+    assert glass.world.shape == (width, height) and glass.toy.display.stage.view.shape == (width, height)
     glass.key(pygame.K_f, mod=pygame.KMOD_CTRL)
     assert glass.world.digest() == before
     for _ in range(4):
@@ -300,10 +300,10 @@ def test_quarter_turns_turn_the_table_and_back(glass):
 def test_a_turn_of_the_table_is_seen_to_go_round(glass):
     glass.session.paused = True
     glass.key(pygame.K_f, "F", pygame.KMOD_LSHIFT)
-    assert glass.toy.stage.turn and not glass.toy.stage.turn.over(glass.now_s)
+    assert glass.toy.display.stage.turn and not glass.toy.display.stage.turn.over(glass.now_s)
     glass.now_s += 1e6
     glass.wait(2)
-    assert glass.toy.stage.turn is None
+    assert glass.toy.display.stage.turn is None
 
 
 def test_q_and_e_lean_the_rule_in_steps_that_meet_at_0(still):
@@ -338,7 +338,7 @@ def test_a_table_that_leans_shows_a_frame_that_goes_with_the_lean(still, monkeyp
     monkeypatch.setattr(still.toy.notices, "say", lambda text: None)
     upright = pygame.surfarray.array2d(still.toy.window.surface)
     still.key(pygame.K_e)
-    area = still.toy.layout.sand
+    area = still.toy.display.layout.sand
     sand = slice(0, area.width), slice(0, area.height)
     assert (pygame.surfarray.array2d(still.toy.window.surface)[sand] != upright[sand]).any()
     still.key(pygame.K_q)

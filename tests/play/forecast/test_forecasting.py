@@ -90,7 +90,7 @@ def test_h_lays_over_the_sand_what_so_many_runs_say(paper):
     expected = counts_at(world.sand, world.walls, Rule.with_p(0.5), [ahead], 10_000, world.seed, world.iteration)[0]
     assert (answer.counts == expected).all()
     paper.toy.overlays.remove(paper.toy.forecasting)  # the legend
-    paper.toy.refresh()
+    paper.toy.display.refresh()
     paper.frame(elapsed_ns=0)
     seen, (kept, laid) = pixels_of(paper), cover(lambda *colour: colour[0] << 16 | colour[1] << 8 | colour[2])
     for row, column in np.ndindex(world.shape):
@@ -108,7 +108,7 @@ def test_h_again_takes_the_forecast_away_and_ends_its_thread(paper):
     assert (pixels_of(paper) != bare).any()
     paper.key(pygame.K_h, "h")
     paper.frame(elapsed_ns=0)
-    area = paper.toy.layout.sand
+    area = paper.toy.display.layout.sand
     assert (pixels_of(paper)[: area.bottom, : area.right] == bare[: area.bottom, : area.right]).all()
     assert not thread.is_alive()
 
@@ -140,16 +140,16 @@ def test_a_forecast_that_answers_another_question_is_shown_as_stale(player, stuc
     player.hold_time()
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.toy.stage.veil.stale
+    assert not forecasting.stale and not player.toy.display.stage.veil.stale
     stuck.free.clear()
     forecasting.ahead += 1
     player.frame()
     assert not forecasting.stale  # it is about to be answered
     player.wait(int(STALE_S * 1e9 / FRAME_NS) + 2)
-    assert forecasting.stale and player.toy.stage.veil.stale
+    assert forecasting.stale and player.toy.display.stage.veil.stale
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.toy.stage.veil.stale
+    assert not forecasting.stale and not player.toy.display.stage.veil.stale
 
 
 @pytest.mark.parametrize("act", [SetRule(Rule.with_p(0.1)), Flip()])
@@ -180,9 +180,9 @@ def test_the_legend_tells_runs_error_moment_and_the_cell_under_the_pointer(paper
 def test_never_and_always_have_the_same_colours_in_the_legend_and_in_the_picture(paper, theme):
     paper.toy.settings.override("theme", theme)
     answer, bar = see_forecast(paper), pygame.Surface((256, 1))
-    legend._draw_bar(bar, paper.toy.theme, bar.get_rect(), False)
+    legend._draw_bar(bar, paper.toy.display.theme, bar.get_rect(), False)
     paper.toy.overlays.remove(paper.toy.forecasting)  # the legend
-    paper.toy.refresh()
+    paper.toy.display.refresh()
     paper.frame(elapsed_ns=0)
     seen, world = pixels_of(paper), paper.world
     for level, x in ((NEVER, 0), (ALWAYS, 255)):
@@ -200,9 +200,10 @@ def test_the_legend_stands_in_the_leading_pane_of_a_comparison_clear_of_the_badg
     toy = player.toy
     toy.camera.zoom(1)
     (card,), badge = (
-        each.draw(toy.window.surface, toy.theme, toy.layout.sand) for each in (toy.forecasting, toy.camera.badge)
+        each.draw(toy.window.surface, toy.display.theme, toy.display.layout.sand)
+        for each in (toy.forecasting, toy.camera.badge)
     )
-    assert toy.stage.area.contains(card) and card.collidelist(badge) < 0
+    assert toy.display.stage.area.contains(card) and card.collidelist(badge) < 0
     toy.close()
     pygame.display.quit()
 
@@ -212,18 +213,20 @@ def test_another_scene_has_no_forecast_of_the_one_before(player, stuck):
     player.hold_time()
     see_forecast(player)
     stuck.free.clear()
-    player.toy.load("paper")
+    player.toy.sessions.load("paper")
     player.wait(2)
-    assert player.toy.stage.veil is None and player.toy.forecasting.answer is None
+    assert player.toy.display.stage.veil is None and player.toy.forecasting.answer is None
 
 
 def test_the_forecast_follows_the_view_in_and_out(paper):
     answer = see_forecast(paper)
     for cell in (30.0, 3.0, 0.4):
-        view = View.near((61, 61), tuple(paper.toy.stage.area), cell, (30.5, 50.5), *paper.toy.stage.area.center)
-        paper.toy.stage.show(view)
+        view = View.near(
+            (61, 61), tuple(paper.toy.display.stage.area), cell, (30.5, 50.5), *paper.toy.display.stage.area.center
+        )
+        paper.toy.display.stage.show(view)
         paper.frame(elapsed_ns=0)
-        veil = paper.toy.stage.veil
+        veil = paper.toy.display.stage.veil
         pixels = np.zeros(paper.toy.window.size[::-1], np.uint32)
         veil.draw(pixels, view, [(0, pixels.shape[0])], rgb)
         _, laid = cover(rgb)
@@ -236,7 +239,7 @@ def test_the_forecast_follows_the_view_in_and_out(paper):
 
 def test_a_veil_drawn_span_by_span_is_the_veil_drawn_at_once(paper):
     see_forecast(paper)
-    veil, view = paper.toy.stage.veil, paper.toy.stage.view
+    veil, view = paper.toy.display.stage.veil, paper.toy.display.stage.view
     once = np.random.default_rng(92).integers(0, 2**24, paper.toy.window.size[::-1]).astype(np.uint32)
     by_spans = once.copy()
     veil.draw(once, view, [(0, once.shape[0])], rgb)

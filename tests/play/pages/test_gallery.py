@@ -79,7 +79,7 @@ def test_a_scene_is_opened_by_keys_and_by_a_click(player, number):
         player.key(pygame.K_RIGHT)
     player.key(pygame.K_RETURN)
     assert player.session.scene.name == scene_names()[number] and not gallery.shown
-    player.toy.load("paper")
+    player.toy.sessions.load("paper")
     looked_at(player)
     player.click(gallery.tile(number).center)
     assert player.session.scene.name == scene_names()[number] and not gallery.shown
@@ -114,7 +114,7 @@ def test_no_tile_is_cut_or_covered_and_the_chosen_one_is_in_sight(player, size, 
     toy = player.toy
     toy.settings.override("ui_scale", scale)
     pygame.display.set_mode(size, pygame.RESIZABLE, 32)
-    toy.lay_out_anew()
+    toy.display.lay_out_anew()
     player.frame()
     gallery = looked_at(player)
     for code in (pygame.K_HOME, pygame.K_END):
@@ -153,7 +153,7 @@ def test_what_is_said_of_an_empty_shelf_is_all_there_in_a_small_window(player):
     player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=640, y=480))
     player.key(pygame.K_o, mod=pygame.KMOD_LCTRL)
     player.wait(2)
-    gallery, theme = player.toy.gallery, player.toy.theme
+    gallery, theme = player.toy.gallery, player.toy.display.theme
     said = list(gallery._empty())
     assert " ".join(text for _, _, text, *_ in said) == gallery.shelf.empty
     assert all(theme.width(text, kind) <= rect.width for _, rect, text, kind, *_ in said)

@@ -93,7 +93,7 @@ def test_what_the_page_hides_hears_no_key(glass):
 def test_the_upper_of_two_pages_is_closed_first(glass):
     for key in (pygame.K_F2, pygame.K_F1, pygame.K_ESCAPE):
         glass.key(key)
-    assert glass.toy.page is glass.toy.gallery
+    assert glass.toy.display.page is glass.toy.gallery
 
 
 def test_a_click_closes_the_page_and_keys_go_on_working(glass):

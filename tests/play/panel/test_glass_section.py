@@ -78,7 +78,7 @@ def test_restart_fills_the_glass_that_was_made(maker):
 
 
 def test_any_scene_can_become_a_glass(maker):
-    maker.toy.load("funnel")
+    maker.toy.sessions.load("funnel")
     maker.wait(1)
     grains = maker.world.grains
     maker.click(maker.control("Make a glass"))
@@ -87,7 +87,7 @@ def test_any_scene_can_become_a_glass(maker):
 
 @pytest.mark.parametrize("size", [(64, 600), (100, 1000), (16384, 16), (3, 30)])
 def test_a_lattice_of_any_proportions_becomes_a_glass_of_any_size(maker, size):
-    maker.toy.open_scene(load_scene("blank", size), 1)
+    maker.toy.sessions.open_scene(load_scene("blank", size), 1)
     maker.wait(1)
     maker.click(maker.control("Make a glass"))
     maker.wait(1)
@@ -102,7 +102,7 @@ def test_a_glass_that_was_made_is_saved_like_any_scene(maker):
     maker.key(pygame.K_s, mod=pygame.KMOD_CTRL)
     maker.settle()
     path = maker.toy.notices.text.removeprefix("Saved as ")
-    maker.toy.load("blank")
+    maker.toy.sessions.load("blank")
     maker.drop(path)
     assert (maker.world.sand == sand).all() and (maker.world.walls == walls).all()
 

@@ -71,7 +71,7 @@ def test_nor_with_all_folds_open(glass, size, scale, unfolded):
 @pytest.mark.parametrize("size", SIZES)
 def test_the_parts_of_the_window_share_it_without_a_gap(glass, size, scale):
     seen(glass, size, scale)
-    layout = glass.toy.layout
+    layout = glass.toy.display.layout
     parts = {name: getattr(layout, name) for name in ("panel", "sand", "bar", "hud")}
     assert overlapping(parts) is None
     assert sum(rect.width * rect.height for rect in parts.values()) == size[0] * size[1]
@@ -87,7 +87,7 @@ def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, s
     for command, *words in (["turn", 1], ["zoom", 1], ["show_scenes"], ["show_scenes"], ["toggle_help"]):
         getattr(glass.toy.commands, command)(*words)
         glass.wait(2)
-        stage, layout, pixels = glass.toy.stage, glass.toy.layout, glass.toy.window.surface.get_rect()
+        stage, layout, pixels = glass.toy.display.stage, glass.toy.display.layout, glass.toy.window.surface.get_rect()
         left, top, right, bottom = stage.view.seen
         shown = layout.panel, layout.sand, layout.bar, layout.hud, pygame.Rect(left, top, right - left, bottom - top)
         assert all(pixels.contains(rect) and rect.width > 0 < rect.height for rect in shown)
@@ -96,7 +96,7 @@ def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, s
 
 @pytest.mark.parametrize("name", scene_names())
 def test_what_a_newcomer_reaches_for_is_in_sight_without_scrolling(glass, name):
-    glass.toy.open_scene(load_scene(name), 0)
+    glass.toy.sessions.open_scene(load_scene(name), 0)
     ui = seen(glass, (1280, 720), 1)
     assert ui.focus.scroll.offset == 0
     assert [each for each in ESSENTIALS if not ui._rect.contains(ui.rects[each])] == []
@@ -170,7 +170,7 @@ def test_every_control_is_worked_by_keyboard(glass, unfolded, monkeypatch):
 def back(player):
     """Close what a control has opened."""
     for _ in range(3):
-        if player.toy.page or player.toy.panel.ui.focus.popup or player.toy.question.shown:
+        if player.toy.display.page or player.toy.panel.ui.focus.popup or player.toy.question.shown:
             player.key(pygame.K_ESCAPE)
     if player.toy.window.fullscreen:
         player.toy.commands.toggle_fullscreen()

@@ -23,8 +23,8 @@ def test_a_theme_colours_the_sand_and_the_panel_at_once(glass, name):
     assert glass.world.sand[row, column]
     dark, light = colours.sand[4]
     assert dark <= tuple(surface.get_at(glass.pixel(column, row)))[:3] <= light
-    assert tuple(surface.get_at((glass.toy.layout.panel.right - 1, 5)))[:3] == colours.panel["ground"]
-    assert ui.theme.colours is glass.toy.hud.theme.colours is colours
+    assert tuple(surface.get_at((glass.toy.display.layout.panel.right - 1, 5)))[:3] == colours.panel["ground"]
+    assert ui.theme.colours is glass.toy.display.theme.colours is colours
     assert not glass.frame(), "and then it rests"
 
 
@@ -45,7 +45,7 @@ def test_reduced_motion_turns_the_glass_over_at_once():
     sand = glass.world.sand
     glass.hold_time()
     glass.key(pygame.K_f)
-    assert glass.toy.stage.turn is None
+    assert glass.toy.display.stage.turn is None
     assert (glass.world.sand == sand[::-1, ::-1]).all()
     glass.wait(1)
     assert not glass.frame(), "nothing is animated"

@@ -35,13 +35,13 @@ def test_the_plots_take_room_from_the_sand_alone(size, scale, shape, panel_shown
 
 
 def test_l_shows_them_and_takes_them_away(glass):
-    before = glass.toy.layout.sand
+    before = glass.toy.display.layout.sand
     glass.key(pygame.K_l, "l")
     glass.wait(20)
-    assert glass.toy.layout.plots and glass.toy.layout.sand.width < before.width
+    assert glass.toy.display.layout.plots and glass.toy.display.layout.sand.width < before.width
     glass.key(pygame.K_l, "l")
     glass.wait(1)
-    assert glass.toy.layout.plots is None and glass.toy.layout.sand == before
+    assert glass.toy.display.layout.plots is None and glass.toy.display.layout.sand == before
 
 
 def test_closed_they_measure_nothing(glass, monkeypatch):
@@ -53,7 +53,7 @@ def test_still_plots_of_a_still_world_are_not_drawn_again(glass):
     glass.key(pygame.K_l, "l")
     glass.hold_time()
     glass.wait(40)
-    area = glass.toy.layout.plots
+    area = glass.toy.display.layout.plots
     assert glass.toy.plots.draw(glass.toy.window.surface) == []
     glass.toy.screen.forget()
     assert glass.toy.plots.draw(glass.toy.window.surface) == [area]
@@ -62,7 +62,7 @@ def test_still_plots_of_a_still_world_are_not_drawn_again(glass):
 def test_a_window_without_room_says_so():
     player = Player("hourglass", (640, 480))
     player.key(pygame.K_l, "l")
-    assert player.toy.layout.plots is None and "too small" in player.toy.notices.text
+    assert player.toy.display.layout.plots is None and "too small" in player.toy.notices.text
     pygame.display.quit()
 
 
@@ -86,7 +86,7 @@ def test_the_row_is_the_neck_unless_the_player_sets_another(glass):
     glass.key(pygame.K_l, "l")
     glass.wait(2)
     assert plots._watch.row == 77
-    glass.toy.load("paper")
+    glass.toy.sessions.load("paper")
     glass.wait(2)
     assert plots._watch.row == 30
 
@@ -103,14 +103,14 @@ def test_the_row_lies_in_the_lattice_however_it_is_turned(player):
 
 def written(player):
     """Return the words in the cards: (rect, text)."""
-    strokes = player.toy.plots._strokes(player.toy.layout.plots)
+    strokes = player.toy.plots._strokes(player.toy.display.layout.plots)
     return [(pygame.Rect(rect), *how[:2]) for stroke, rect, *how in strokes if stroke is draw_list.words]
 
 
 @pytest.mark.parametrize(("size", "scale"), [((1280, 720), 0.75), ((1280, 720), 1), ((2560, 1600), 3)])
 def test_each_plot_has_a_scale_from_zero_to_a_round_figure_and_the_budget_is_named(size, scale):
     player = coloured(size, scale, 1)
-    plots, px = player.toy.plots, player.toy.theme.px
+    plots, px = player.toy.plots, player.toy.display.theme.px
     for draw in (plots._flow, plots._filling, plots._pile, plots._frames):
         card = pygame.Rect(0, 0, px(200), px(130))
         strokes = [(stroke, pygame.Rect(rect), how) for stroke, rect, *how in draw(card)]
@@ -155,7 +155,7 @@ def coloured(size, scale, factor):
 def test_a_slow_frame_leaves_room_for_its_title(slowest_ms):
     player = coloured((900, 520), 1, 1)
     player.toy.plots._watch.samples[-1] = player.toy.plots._watch.samples[-1]._replace(frame_ms=slowest_ms)
-    theme = player.toy.theme
+    theme = player.toy.display.theme
     rect = next(rect for rect, text, _ in written(player) if text == "Slowest frame")
     assert theme.width("Slowest frame", look.SMALL) <= rect.width
     pygame.display.quit()
@@ -167,7 +167,7 @@ def test_a_slow_frame_leaves_room_for_its_title(slowest_ms):
 )
 def test_the_books_of_eight_colours_can_be_read_at_any_size(size, scale, factor):
     player = coloured(size, scale, factor)
-    area, theme = player.toy.layout.plots, player.toy.theme
+    area, theme = player.toy.display.layout.plots, player.toy.display.theme
     words = [each for each in written(player) if each[1]]
     assert sum(text.startswith("=") for _, text, _ in words) >= 8
     seen = []
@@ -228,11 +228,11 @@ def test_the_audit_balances_after_whatever_is_done(player):
 def test_a_window_that_has_become_too_small_for_the_plots_says_so(glass):
     glass.key(pygame.K_l, "l")
     glass.wait(2)
-    assert glass.toy.layout.plots is not None
+    assert glass.toy.display.layout.plots is not None
     pygame.display.set_mode((640, 480), pygame.RESIZABLE, 32)
     glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=640, y=480))
     glass.wait(2)
-    assert glass.toy.layout.plots is None and "too small" in glass.toy.notices.text
+    assert glass.toy.display.layout.plots is None and "too small" in glass.toy.notices.text
     glass.key(pygame.K_l, "l")
     glass.wait(2)
     assert "too small" not in (glass.toy.notices.text or "")

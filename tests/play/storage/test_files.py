@@ -14,7 +14,7 @@ from game.play.pages import saved_scenes
 from game.play.storage import recorder
 from game.play.storage.files import demos
 from game.play.storage.gif_writer import Gif
-from game.play.storage.open_sessions import MOST
+from game.play.storage.open_sessions import MOST_WAITING
 from game.world.files.assets import asset
 from game.world.files.paths import folder_of
 from game.world.looks.painter import Painter
@@ -217,7 +217,7 @@ def test_a_scene_file_that_was_edited_is_shown_by_its_new_title(player, tmp_path
         path.write_text(f'title = "{title}"\nwidth = 20\nheight = 20\n')
         player.drop(path)
         player.settle()
-        assert player.toy.title_of("own") == player.session.scene.title == title
+        assert player.toy.sessions.title_of("own") == player.session.scene.title == title
 
 
 def test_a_dropped_replay_is_played_and_left_again(player, glass, tmp_path):
@@ -249,24 +249,24 @@ def test_every_shipped_replay_can_be_played_from_the_panel_and_left_by_the_way_i
         player.frame()
         sessions.append(player.session)
     for before in sessions[-2::-1]:
-        assert player.toy.can_leave_session
+        assert player.toy.sessions.can_leave
         player.click(player.control("Back to my sand"))
         assert player.session is before
-    assert not player.toy.can_leave_session
+    assert not player.toy.sessions.can_leave
 
 
 def test_many_replays_take_no_more_memory_and_the_players_own_sand_stays_behind_them(player):
     player.click(player.pixel(60, 40))
     player.hold_time()
     own, sand = player.session, player.world.digest()
-    for _ in range(2 * MOST):
+    for _ in range(2 * MOST_WAITING):
         player.drop(asset("replays", "rooms.sandglass"))
         player.wait(20)
-    former = list(player.toy.former)
-    assert former[0] is own and len(former) == MOST
+    former = list(player.toy.sessions.waiting)
+    assert former[0] is own and len(former) == MOST_WAITING
     assert all(session.timeline.shelf.bytes <= MEGABYTE for session in former)
     memory = player.session.timeline.memory_mb
-    while player.toy.leave_session():
+    while player.toy.sessions.leave():
         player.frame()
     assert player.session is own and player.world.digest() == sand and own.timeline.memory_mb == memory
 
@@ -282,7 +282,7 @@ def test_a_session_that_waits_gives_its_past_back_and_computes_it_anew(glass, mo
     glass.toy.files.play_demo(demos()[0])
     glass.settle()
     assert glass.session is not own and own.timeline.shelf.bytes <= MEGABYTE
-    glass.toy.leave_session()
+    glass.toy.sessions.leave()
     own.seek(1)
     own.seek(end)
     assert own.world.digest() == sand
@@ -535,7 +535,7 @@ def test_the_last_frame_of_the_past_recorded_is_the_sand_now(glass):
     glass.key(pygame.K_g, mod=SHIFT)
     glass.settle()
     scene = glass.session.scene
-    film = recorder.Film(scene.shape, scene.cell, glass.toy.colours, scene.made_of)
+    film = recorder.Film(scene.shape, scene.cell, glass.toy.display.colours, scene.made_of)
     wanted = np.frombuffer(film.colours, np.uint8).reshape(-1, 3)[film.frame(glass.world)]
     with Image.open(the_file("pictures")) as image:
         assert image.n_frames > 20

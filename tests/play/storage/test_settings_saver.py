@@ -47,7 +47,7 @@ def test_the_size_of_a_screen_that_was_filled_is_not_remembered(remembering):
 
 def test_what_changed_last_is_saved_at_the_end(remembering):
     player = remembering()
-    player.toy.session.timeline.memory_mb = 99
+    player.toy.sessions.now.timeline.memory_mb = 99
     player.frame()
     player.toy.close()
     assert remembering().session.timeline.memory_mb == 99

@@ -23,7 +23,7 @@ class Waiting(Player):
 
     def __init__(self, height=48):
         super().__init__("hourglass", size=(700, 560))
-        self.toy.open_scene(scene_of(small_glass(height)), 1)
+        self.toy.sessions.open_scene(scene_of(small_glass(height)), 1)
         self.timer.clock = lambda: self.now_s
 
     @property
@@ -85,9 +85,9 @@ def test_acts_on_the_way_do_not_move_the_end(waiting):
     for act in (
         lambda: waiting.drag(waiting.pixel(16, 10), waiting.pixel(20, 12)),
         lambda: waiting.key(pygame.K_f, "f"),
-        lambda: waiting.toy.do(SetRule(Rule.with_p(0.3, "balanced"))),
+        lambda: waiting.toy.sessions.do(SetRule(Rule.with_p(0.3, "balanced"))),
         lambda: waiting.session.undo(),
-        lambda: waiting.toy.do(Load(scene_of(small_glass(70)), 2)),
+        lambda: waiting.toy.sessions.do(Load(scene_of(small_glass(70)), 2)),
     ):
         waiting.pass_time(1.5)
         act()
@@ -124,7 +124,7 @@ def test_a_new_plan_neither_jumps_nor_stalls(waiting):
     waiting.start(20)
     waiting.pass_time(8)
     before = waiting.session.now
-    waiting.toy.do(SetRule(Rule.with_p(0.7, "balanced")))
+    waiting.toy.sessions.do(SetRule(Rule.with_p(0.7, "balanced")))
     waiting.plan()
     waiting.wait(60)
     pace = (waiting.toy.planner.ask().at - before) / 12
@@ -185,7 +185,7 @@ def test_a_flip_that_the_turning_table_leaves_out_starts_no_time(waiting):
     waiting.start(1)
     waiting.run_out()
     waiting.key(pygame.K_f, "F", pygame.KMOD_SHIFT)
-    assert waiting.toy.stage.turn
+    assert waiting.toy.display.stage.turn
     waiting.key(pygame.K_f, "f")
     assert waiting.timer.state == OVER
 
@@ -210,7 +210,7 @@ def test_a_timer_without_sand_to_fall_still_ends_on_time(waiting):
 
 def test_sand_that_cannot_pass_is_told_of(waiting):
     height, width = waiting.world.shape
-    waiting.toy.do(Paint("wall", (0.0, height / 2), (float(width), height / 2), 3))
+    waiting.toy.sessions.do(Paint("wall", (0.0, height / 2), (float(width), height / 2), 3))
     waiting.session.timeline.run(200)
     waiting.start(2)
     assert "cannot pass" in waiting.toy.notices.text
@@ -220,7 +220,7 @@ def test_sand_that_cannot_pass_is_told_of(waiting):
 
 def test_a_scene_without_end_is_told_of(waiting, monkeypatch):
     monkeypatch.setattr("game.world.sessions.run_out.find_ending.__defaults__", (None, 4000, 10**10))
-    waiting.toy.do(SetRule(Rule.with_p(1e-7, "balanced")))
+    waiting.toy.sessions.do(SetRule(Rule.with_p(1e-7, "balanced")))
     waiting.start(2)
     assert "does not come to an end" in waiting.toy.notices.text
     waiting.run_out()
@@ -260,7 +260,7 @@ def test_stopping_gives_the_speed_back(waiting):
 def test_another_scene_gets_its_own_speed_back_and_not_that_of_the_one_before(waiting):
     waiting.start(30)
     waiting.pass_time(0.3)
-    waiting.toy.load("clocks")
+    waiting.toy.sessions.load("clocks")
     waiting.plan()
     waiting.pass_time(0.3)
     assert waiting.session.clock.speed != waiting.session.scene.speed
@@ -334,7 +334,7 @@ def test_its_slider_shows_what_was_asked_for_where_it_is(waiting, seconds, words
 @pytest.mark.parametrize("reduced", [True, False])
 def test_the_frame_glows_for_a_while(waiting, reduced):
     waiting.toy.settings["reduced_motion"] = reduced
-    corner = waiting.toy.layout.sand.x + 1, waiting.toy.layout.sand.centery
+    corner = waiting.toy.display.layout.sand.x + 1, waiting.toy.display.layout.sand.centery
     dark = waiting.toy.window.surface.get_at(corner)
     waiting.start(1)
     waiting.run_out()

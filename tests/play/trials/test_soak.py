@@ -18,12 +18,12 @@ pygame.font.init()
 soak = Soak(seed=5)
 toy, known = soak.toy, ready()
 for name in ("hourglass", "rainbow", "fountain", "city"):
-    toy.load(name)
+    toy.sessions.load(name)
     soak.run(0.1, print)
     for command in ("flip", "compare", "undo", "compare", "toggle_forecast", "toggle_plots", "redo"):
         getattr(toy.commands, command)()
         soak.run(0.1, print)
-    toy.session.world.digest()
+    toy.sessions.now.world.digest()
 assert ready() == known, ready() - known
 """
 
@@ -46,7 +46,7 @@ def test_no_kernel_is_compiled_in_mid_play():
 
 def test_a_grain_that_is_lost_is_found_out(soak):
     soak.run(0.2, say=print)
-    soak.toy.session.world.planes[0] = 0
+    soak.toy.sessions.now.world.planes[0] = 0
     with pytest.raises(SoakError, match="grains, wanted"):
         soak.run(1.0, say=print)
 
@@ -60,6 +60,6 @@ def test_the_same_seed_gives_the_same_input():
 
 
 def test_the_hand_does_not_raise_the_limit_of_memory(soak):
-    soak.toy.session.limit_memory(8 * MEMORY_MB)
+    soak.toy.sessions.now.limit_memory(8 * MEMORY_MB)
     soak.run(0.1, say=print)
-    assert soak.toy.session.memory_mb <= MEMORY_MB
+    assert soak.toy.sessions.now.memory_mb <= MEMORY_MB

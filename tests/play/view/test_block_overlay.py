@@ -23,7 +23,7 @@ def close(glass):
 
 
 def shown(player):
-    area = player.toy.layout.sand
+    area = player.toy.display.layout.sand
     return pygame.surfarray.array2d(player.toy.window.surface)[: area.width, : area.height]
 
 
@@ -57,14 +57,14 @@ def test_what_is_drawn_piece_by_piece_is_what_is_drawn_at_once(close):
     close.pointer = None
     close.wait(100)
     before = shown(close)
-    close.toy.stage.refresh()
+    close.toy.display.stage.refresh()
     close.frame()
     assert (shown(close) == before).all()
 
 
 def test_a_step_leaves_trails_until_something_else_happens(close):
     close.key(pygame.K_b, "b")
-    view = close.toy.stage.view
+    view = close.toy.display.stage.view
     coming = coming_events(close.world, close.session.rule, part_in_sight(view))
     close.key(pygame.K_PERIOD, ".")
     blocks = close.toy.blocks

@@ -25,7 +25,7 @@ def three():
 def places_in(player, column, row):
     """Return the pixel of a cell in each pane."""
     x, y = player.pixel(column, row)
-    return [(x + dx, y + dy) for dx, dy in player.toy.stage._shifts.values()]
+    return [(x + dx, y + dy) for dx, dy in player.toy.display.stage._shifts.values()]
 
 
 def test_the_key_shows_the_present_sand_three_times_and_goes_back_to_where_it_was():
@@ -69,11 +69,11 @@ def test_each_pane_shows_its_own_world_and_what_is_left(three):
     three.wait(20)
     surface = pygame.surfarray.array3d(three.toy.window.surface)
     seen = []
-    for dx, dy in three.toy.stage._shifts.values():
-        left, top, right, bottom = three.toy.stage.view.seen
+    for dx, dy in three.toy.display.stage._shifts.values():
+        left, top, right, bottom = three.toy.display.stage.view.seen
         seen.append(surface[left + dx : right + dx, top + dy : bottom + dy])
     assert (seen[0] != seen[1]).any() and (seen[1] != seen[2]).any()
-    titles = three.toy.stage.titles()
+    titles = three.toy.display.stage.titles()
     for schedule, session in three.session.sessions.items():
         left = int(np.count_nonzero(session.world.sand[: session.scene.neck]))
         assert titles[schedule] == (schedule.capitalize(), f"{left:,} left above")
@@ -87,7 +87,7 @@ def test_name_and_count_of_a_title_lie_side_by_side_and_every_name_is_whole(thre
     words = draw_list.words
     monkeypatch.setattr(draw_list, "words", lambda *how: written.append(how) or words(*how))
     three.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-    stage, theme = three.toy.stage, three.toy.theme
+    stage, theme = three.toy.display.stage, three.toy.display.theme
     for schedule, title in stage._titles.items():
         (name, text, kind), (left, count, other) = [each[2:5] for each in written if title.contains(each[2])]
         assert text == schedule.capitalize() and name.x + theme.width(text, kind) <= name.right
@@ -101,8 +101,8 @@ def test_a_line_parts_zoomed_panes_and_comes_back_from_under_a_notice(three):
     three.hold_time()
     three.wait(900)
     assert not three.toy.notices.shown
-    surface, edge = three.toy.window.surface, three.toy.theme.rgb("edge")
-    for gap in three.toy.stage._gaps:
+    surface, edge = three.toy.window.surface, three.toy.display.theme.rgb("edge")
+    for gap in three.toy.display.stage._gaps:
         assert {
             tuple(surface.get_at((x, y))[:3]) for x in range(gap.left, gap.right) for y in range(gap.top, gap.bottom)
         } == {edge}
@@ -111,8 +111,8 @@ def test_a_line_parts_zoomed_panes_and_comes_back_from_under_a_notice(three):
 def test_the_badge_leaves_the_titles_free(three):
     three.key(pygame.K_PLUS, "", pygame.KMOD_CTRL)
     badge = three.toy.camera.badge
-    covered = badge.draw(three.toy.window.surface, three.toy.theme, three.toy.layout.sand)
-    assert all(rect.collidelist([*three.toy.stage._titles.values()]) < 0 for rect in covered)
+    covered = badge.draw(three.toy.window.surface, three.toy.display.theme, three.toy.display.layout.sand)
+    assert all(rect.collidelist([*three.toy.display.stage._titles.values()]) < 0 for rect in covered)
 
 
 def test_a_flip_turns_all_three_and_undo_brings_them_back(three):
@@ -128,7 +128,7 @@ def test_a_flip_turns_all_three_and_undo_brings_them_back(three):
 
 
 def test_undo_that_is_held_neither_leaves_the_comparison_nor_goes_on_beyond_it(three):
-    own = next(iter(three.toy.former))
+    own = next(iter(three.toy.sessions.waiting))
     own.timeline.do(Clear())
     three.hold_time()
     three.key(pygame.K_c, "c")

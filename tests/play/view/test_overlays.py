@@ -37,7 +37,7 @@ def two_at_once(toy, now_s):
 
 def sand_of(player):
     """Return the pixels of the sand's part of the window."""
-    area = player.toy.layout.sand
+    area = player.toy.display.layout.sand
     return pygame.surfarray.array2d(player.toy.window.surface)[: area.width, : area.height]
 
 
@@ -55,7 +55,7 @@ def check(player, show):
     player.wait(2)
     assert any(each.shown for each in player.toy.overlays)
     often = sand_of(player)
-    player.toy.stage.refresh()
+    player.toy.display.stage.refresh()
     player.wait(0)
     assert (often == sand_of(player)).all()
 

@@ -29,7 +29,9 @@ def late(ms, wanted_ms):
 
 def line(player):
     """Return the words of the line and their colour."""
-    _, _, words, _, colour, _ = player.toy.hud.drawing(pygame.Rect(0, 0, 2000, 30), player.session)[1]
+    _, _, words, _, colour, _ = player.toy.hud.drawing(
+        player.toy.display.theme, pygame.Rect(0, 0, 2000, 30), player.session
+    )[1]
     return words, colour
 
 
@@ -72,7 +74,7 @@ def test_the_line_says_when_the_sand_rests(player):
 
 
 def test_too_high_a_speed_is_said_plainly_with_what_is_reached(glass):
-    glass.toy.load("fountain")  # which never comes to rest
+    glass.toy.sessions.load("fountain")  # which never comes to rest
     glass.session.clock.speed = 1_000_000
     glass.wait(30)
     words, colour = line(glass)
@@ -104,7 +106,7 @@ def test_a_grain_that_is_not_on_the_books_is_noticed(player):
 
 
 def test_the_figures_come_where_the_pointer_rests_and_go_with_it(glass):
-    glass.pointer = glass.toy.layout.hud.center
+    glass.pointer = glass.toy.display.layout.hud.center
     glass.wait(10)
     assert not glass.toy.figures.shown
     glass.wait(40)
@@ -116,7 +118,7 @@ def test_the_figures_come_where_the_pointer_rests_and_go_with_it(glass):
 
 
 def test_a_click_on_the_line_keeps_the_figures(glass):
-    place = glass.toy.layout.hud.center
+    place = glass.toy.display.layout.hud.center
     glass.click(place)
     glass.pointer = None
     glass.wait(3)
@@ -135,8 +137,8 @@ def test_figures_and_a_notice_share_the_lower_edge(glass, size, scale):
     glass.toy.figures.toggle()
     glass.toy.notices.say("A line that is long enough to be broken where a window is as small as this one may be")
     glass.wait(20)
-    toy, area = glass.toy, glass.toy.layout.sand
-    (card,), (notice,) = (each.draw(toy.window.surface, toy.theme, area) for each in (toy.figures, toy.notices))
+    toy, area = glass.toy, glass.toy.display.layout.sand
+    (card,), (notice,) = (each.draw(toy.window.surface, toy.display.theme, area) for each in (toy.figures, toy.notices))
     assert not card.colliderect(notice) and area.contains(card) and area.contains(notice)
     rows = toy.figures._rows()
     assert not any("…" in row for row in rows)

@@ -44,7 +44,7 @@ player.wait(3)
 mixed = [np.ones(size) for _ in range(1000) for size in (8000, 100)]  # 64 MB, as snapshots are, among what stays
 del mixed[::2]
 before = resident_mb()
-player.toy.load("ledges")
+player.toy.sessions.load("ledges")
 player.wait(3)
 print(before - resident_mb())
 """

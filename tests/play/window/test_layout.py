@@ -4,8 +4,7 @@ import pytest
 
 from game.play import loop
 from game.play.ui.theme import Theme
-from game.play.window.layout import MARGIN, Layout
-from game.play.window.opening import LARGEST, SHARE, first_scale, first_size, window_size
+from game.play.window.layout import LARGEST, MARGIN, SHARE, Layout, first_scale, first_size, window_size
 from game.world.files.settings import Settings
 from game.world.looks.view import View
 from game.world.scenes.scene import load_scene, scene_names

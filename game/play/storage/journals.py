@@ -1,0 +1,37 @@
+"""The journals: every session of the window writes down what is done in it, so that a crash loses nothing."""
+
+from game.world.files.atomic import FileError
+from game.world.sessions.journal import Journal
+
+
+class Journals:
+    """Begins and ends the journals of sessions; `say(text, trouble)` tells of trouble with them."""
+
+    def __init__(self, say):
+        self._say = say
+        self._kept = False
+
+    def keep(self):
+        """Keep a journal of every session that begins from now on."""
+        self._kept = True
+
+    def begin(self, session, entries):
+        """Open a journal for a session in which `entries` have been done."""
+        if not self._kept:
+            return
+        try:
+            session.journal = Journal.begin(*session.timeline.start)
+            for entry in entries:
+                session.journal.note(entry)
+        except FileError as error:
+            session.journal, session.trouble = None, str(error)
+
+    def close(self, session):
+        """End a session's journal."""
+        if session.journal is None:
+            return
+        try:
+            session.journal.close(session.now, "" if session.timeline.goal is not None else session.world.digest())
+        except FileError as error:
+            self._say(error, trouble=True)
+        session.journal = None
