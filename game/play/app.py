@@ -84,7 +84,7 @@ class Toy:
         # the last one lies on top
         self.overlays = [self.camera.badge, self.figures, self.question, self.photo, self.notices]
         self.hearing, self.stepping, self.screen = Hearing(self), Stepping(self), Screen(self)
-        # what looks at each frame once it is shown, by `look(now_s)`
+        # what looks at each frame once it is shown, by `update(now_s)`
         self.watchers = [self.recorder, self.keeper, self.camera.badge, self.figures]
         self._gather_instruments()
 
@@ -153,11 +153,11 @@ class Toy:
         self._now_s = now_s
         self.sessions.begin_frame()
         self._fit()
-        self.background.hear()
+        self.background.update()
         self.window.find_pointer()
-        left = self.cursor.listen(self._left_by_overlays(events, now_s, mouse_pos))
+        left = self.cursor.handle_events(self._left_by_overlays(events, now_s, mouse_pos))
         for event in self._lay_out_panel(left, now_s, mouse_pos):
-            self.hearing.hear(event)
+            self.hearing.handle_event(event)
         for event in events:
             self.hearing.note(event)
         self._let_go_of_hidden()
@@ -170,7 +170,7 @@ class Toy:
         changed = self.screen.draw(now_s)
         self.window.show(changed)
         for each in self.watchers:
-            each.look(now_s)
+            each.update(now_s)
         work_ns = time.perf_counter_ns() - start
         self.stepping.note(work_ns)
         session = self.sessions.now
@@ -182,12 +182,12 @@ class Toy:
         """Return the events that nothing which lies over the sand has taken; what a page hides hears none."""
         page = self.display.page
         if page:
-            events = page.listen(events, now_s, mouse_pos)
+            events = page.handle_events(events, now_s, mouse_pos)
         for each in self.overlays[::-1]:
             if each.shown and page:
-                each.listen([], now_s, None)
+                each.handle_events([], now_s, None)
             elif each.shown:
-                events = each.listen(events, now_s, mouse_pos)
+                events = each.handle_events(events, now_s, mouse_pos)
         return events
 
     def _lay_out_panel(self, events, now_s, mouse_pos):

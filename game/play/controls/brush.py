@@ -108,7 +108,7 @@ class Brush:
 
     # --- gestures: each method returns [(act, whether undo takes it back together with the act before)] ---
 
-    def hear(self, event, view, world):
+    def handle_event(self, event, view, world):
         """Let the mouse make gestures on the lattice that `view` shows."""
         shift = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
         if event.type == pygame.MOUSEBUTTONDOWN and event.button in (LEFT, RIGHT) and not self.painting:

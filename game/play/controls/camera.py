@@ -86,7 +86,7 @@ class Camera:
         self._fingers.clear()
         self._swallows = self._ctrl = False
 
-    def hear(self, event):
+    def handle_event(self, event):
         """Take in an event and return whether it was the camera's."""
         hears = {
             pygame.MOUSEWHEEL: self._wheel,

@@ -11,20 +11,20 @@ class Hearing:
 
     def __init__(self, toy):
         self._toy = toy
-        # what hears before the keys do: `hear(event)` says whether the event was its own
+        # what hears before the keys do: `handle_event(event)` says whether the event was its own
         self.first = [toy.rewind, toy.camera]
         self.pointer = None  # (x, y) in pixels, while it is over the sand or paints
         self.repeats = False  # the key that gives a command just now has been held for a while
         self._down = {}  # the keys that are held, and the session that each went down in
 
-    def hear(self, event):
+    def handle_event(self, event):
         """Let the part that an event is meant for act on it."""
         toy, event = self._toy, self._toy.display.stage.own(event)
         if event.type != pygame.KEYDOWN:
             self.note(event)
         if event.type == pygame.QUIT:
             toy.running = False
-        elif any(each.hear(event) for each in self.first):
+        elif any(each.handle_event(event) for each in self.first):
             toy.brush.let_go()
         elif event.type == pygame.KEYDOWN:
             self._hear_key(event)
@@ -72,12 +72,12 @@ class Hearing:
         toy = self._toy
         on_sand = event.type == pygame.MOUSEBUTTONDOWN and toy.display.layout.sand.collidepoint(event.pos)
         going_on = toy.brush.painting
-        if not going_on and toy.time_bar.hear(event):
+        if not going_on and toy.time_bar.handle_event(event):
             toy.brush.let_go()
         elif not going_on and _is_press(event) and toy.display.layout.hud.collidepoint(event.pos):
             toy.figures.toggle()
         elif going_on or on_sand:
-            toy.paint(toy.brush.hear(event, toy.display.stage.view, toy.sessions.now.world))
+            toy.paint(toy.brush.handle_event(event, toy.display.stage.view, toy.sessions.now.world))
 
 
 def _is_press(event):

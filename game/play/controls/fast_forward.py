@@ -55,7 +55,7 @@ class Ahead:
             AWAITING: f"Until the sand flows: {gone}    Esc stops it",
         }[self._mode]
 
-    def hear(self, event):
+    def handle_event(self, event):
         """Take in an event and return whether it was meant for this."""
         if event.type not in (pygame.KEYDOWN, pygame.KEYUP):
             return False
@@ -123,7 +123,7 @@ class Ahead:
         self._step *= GROWTH
         return int(min(self._step, most))
 
-    def look(self, now_s):
+    def update(self, now_s):
         """See what a frame has come to."""
         session = self._toy.sessions.now
         if self._mode is None:

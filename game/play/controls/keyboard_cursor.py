@@ -39,7 +39,7 @@ class Cursor:
         height, width = self._toy.sessions.now.world.shape
         self._cell = self._cell or (width // 2, height // 2)
 
-    def listen(self, events):
+    def handle_events(self, events):
         """Take the events that are the cursor's and return the others."""
         if not self.on:
             return events

@@ -14,7 +14,7 @@ class Rewind:
         self.held = self._fast = False
         self._clock = Clock(1)
 
-    def hear(self, event):
+    def handle_event(self, event):
         """Take in an event and return whether it was the rewind's."""
         if event.type not in (pygame.KEYDOWN, pygame.KEYUP):
             return False

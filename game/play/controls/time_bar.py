@@ -30,7 +30,7 @@ class TimeBar:
         """Lie in `area` of the window from now on."""
         self.area, self.theme = area, theme
 
-    def hear(self, event):
+    def handle_event(self, event):
         """Take in an event and return whether it was the bar's."""
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == LEFT and self.area.collidepoint(event.pos):
             self.held, self._x = True, event.pos[0]

@@ -50,7 +50,7 @@ class Forecasting:
         self.answer = self._asked = self._toy.display.stage.veil = None
         self._toy.display.refresh()
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Take the latest answer, and ask again if anything has happened; never wait."""
         if not self.shown:
             return
@@ -73,7 +73,7 @@ class Forecasting:
         share = int(self.answer.counts[y, x]) / runs
         return share, 0.0 if self.answer.certain else standard_error(share, runs)
 
-    def listen(self, events, now_s, mouse_pos):
+    def handle_events(self, events, now_s, mouse_pos):
         """Leave all events to others."""
         return events
 

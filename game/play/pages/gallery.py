@@ -50,7 +50,7 @@ class Gallery:
         """Draw everything next time."""
         self._drawn = None
 
-    def listen(self, events, now_s, mouse_pos):
+    def handle_events(self, events, now_s, mouse_pos):
         """Obey what is meant for the page and return the other events."""
         self._now_s = now_s
         return [event for event in events if not (self.shown and self._hear(event))]

@@ -44,7 +44,7 @@ class Help:
         """Draw everything next time."""
         self._drawn = None
 
-    def listen(self, events, now_s, mouse_pos):
+    def handle_events(self, events, now_s, mouse_pos):
         """Close at a click, scroll if there is more than shows, and leave other keys to their commands."""
         return [event for event in events if not (self.shown and self._hear(event))]
 

@@ -63,7 +63,7 @@ class Plots:
     def measured_row(self, row):
         self._set_row = self._toy.sessions.now.scene, row
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Measure if it is time to; say where there is no room any more."""
         self._look_for_room()
         if not self.shown:

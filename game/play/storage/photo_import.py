@@ -39,7 +39,7 @@ class PhotoCard:
         self._card = Card(self._toy.display.theme, WIDTH)
         self._toy.display.refresh()
 
-    def listen(self, events, now_s, mouse_pos):
+    def handle_events(self, events, now_s, mouse_pos):
         """Turn the threshold, take the photo or leave it; return the events that are not the card's."""
         rest = self._card.lay_out(self._toy, self._toy.display.theme.px(TOP), events, now_s, mouse_pos)
         ui = self.ui

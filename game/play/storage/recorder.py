@@ -91,7 +91,7 @@ class Recorder:
             self._frames.put(None)
             self._frames = None
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Take in the sand of this frame, if it is time for one; never wait for the writer."""
         if not self.going_on:
             return

@@ -19,7 +19,7 @@ class Keeper:
         if settings.problem:
             toy.notices.say(settings.problem, trouble=True)
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Note what changed, and save it once it is a while ago."""
         toy, settings = self._toy, self._toy.settings
         settings["brush"], settings["memory"] = toy.brush.diameter, round(toy.sessions.now.memory_mb)

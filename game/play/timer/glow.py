@@ -37,7 +37,7 @@ class Glow:
             self._since_s = None
             self._toy.display.refresh()
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Let time pass."""
         if not self.shown:
             return
@@ -47,7 +47,7 @@ class Glow:
         elif not self._toy.settings["reduced_motion"]:
             self._toy.display.refresh()
 
-    def listen(self, events, now_s, mouse_pos):
+    def handle_events(self, events, now_s, mouse_pos):
         """Leave all events to others."""
         return events
 

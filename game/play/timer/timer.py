@@ -109,7 +109,7 @@ class Timer:
         self._set_speed()
         return max(0, self._pace.at(gone_s) - session.now)
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Look at a frame that was shown: let pauses not count, tell the time left, and see whether it is over."""
         if self.state != RUNNING:
             return

@@ -46,7 +46,7 @@ class Question:
         self._card = Card(self._toy.display.theme, WIDTH)
         self._toy.display.refresh()
 
-    def listen(self, events, now_s, mouse_pos):
+    def handle_events(self, events, now_s, mouse_pos):
         """Take the answer, if one is among the events, and return the events that are not the question's."""
         rest = self._card.lay_out(self._toy, self._toy.display.theme.px(TOP), events, now_s, mouse_pos)
         ui, chosen = self.ui, None

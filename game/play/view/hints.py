@@ -38,7 +38,7 @@ class Hints:
         self._start_s = self._still_since_s = self._last_s = None
         self._before = None, None  # the timeline and its line at the last look
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Show a hint, if it is the moment for one."""
         left = [hint for hint in HINTS if hint.name not in self._toy.settings["hints_seen"]]
         if not left:

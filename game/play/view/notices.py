@@ -55,7 +55,7 @@ class Notices:
             return True
         return self._age() > self._stay()
 
-    def listen(self, events, now_s, mouse_pos):
+    def handle_events(self, events, now_s, mouse_pos):
         """Leave all events to others: a notice never stands in the way."""
         return events
 

@@ -54,7 +54,7 @@ class Figures:
         elif now_s - self._since_s >= LATER_S:
             self._pointed = True
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Write the lines anew, if there are new figures or nobody wants any."""
         wanted, reading = self.kept or self._pointed, self._toy.hud.gauge.reading
         if wanted and (not self.lines or reading is not self._reading):
@@ -65,7 +65,7 @@ class Figures:
             self.lines = lines
             self._toy.display.refresh()
 
-    def listen(self, events, now_s, mouse_pos):
+    def handle_events(self, events, now_s, mouse_pos):
         """Leave all events to others."""
         return events
 

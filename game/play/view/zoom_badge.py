@@ -24,7 +24,7 @@ class Badge:
         """Come up, or stay for longer."""
         self.shown, self._until_s = True, None
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Note how late it is."""
         if self.shown and self._until_s is None:
             self._until_s = now_s + STAY_S
@@ -32,7 +32,7 @@ class Badge:
             self.shown = False
             self._toy.display.refresh()
 
-    def listen(self, events, now_s, mouse_pos):
+    def handle_events(self, events, now_s, mouse_pos):
         """Leave all events to others."""
         return events
 

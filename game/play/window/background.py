@@ -25,7 +25,7 @@ class Background:
         return any(thread.is_alive() for thread in self._threads) or not self._outcomes.empty()
 
     def do(self, work, then=None, otherwise=None):
-        """Call `work()` in a thread, and then(its result), or otherwise() if it failed, at the next `hear` after it."""
+        """Call `work()` in a thread, and then(its result), or otherwise() if it failed, at the next `update` after it."""
 
         def run():
             act = otherwise
@@ -44,7 +44,7 @@ class Background:
         self._threads = [*(each for each in self._threads if each.is_alive()), thread]
         thread.start()
 
-    def hear(self):
+    def update(self):
         """Act on the outcomes so far."""
         while not self._outcomes.empty():
             self._outcomes.get()()

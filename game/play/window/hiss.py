@@ -53,7 +53,7 @@ class Hiss:
             tip = "How loud the sand is"
             settings["volume"] = ui.slider("Volume", settings.rows["volume"], settings["volume"], tip=tip)
 
-    def look(self, now_s):
+    def update(self, now_s):
         """Let the hiss follow the sand."""
         wanted = self._toy.settings["sound"]
         if not wanted and self._channel is None:
