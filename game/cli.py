@@ -8,7 +8,10 @@ from pathlib import Path
 from game.world.sand import parameters
 
 SCENE = "hourglass"
-STUDY_NEEDS = ("matplotlib", "rich")  # packages of the `study` extra
+STUDY_NEEDS = ("matplotlib", "rich", "scipy")  # packages of the `study` extra …
+BENCH_NEEDS = ("rich",)  # … of which the bench needs this one, …
+PICTURE_NEEDS = ("matplotlib",)  # … and this one for its picture
+STUDY_EXTRA = "pip install 'sandglass[study]'"
 
 
 class _Parser(argparse.ArgumentParser):
@@ -120,7 +123,7 @@ def _bench_parser():
         "--quick", action="store_true", help="smaller lattices and fewer rounds: half a minute, not six"
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
-    parser.add_argument("--out", metavar="DIR", help="write the tables as Markdown and JSON, and a picture")
+    parser.add_argument("--out", type=Path, metavar="DIR", help="write the tables as Markdown and JSON, and a picture")
     return parser
 
 
@@ -179,19 +182,21 @@ def _replay(options):
 
 
 def _bench(options):
+    if missing := _missing(BENCH_NEEDS):
+        return _refuse(f"the bench needs {missing}: {STUDY_EXTRA}")
+    if missing := options.out and _missing(PICTURE_NEEDS):
+        return _refuse(f"--out draws a picture and needs {missing}: {STUDY_EXTRA}")
     from game.study.bench import command
 
     try:
         return command.run(options.quick, options.json, options.out)
-    except command.CannotWriteError as error:
-        print(f"sandglass bench: {error}", file=sys.stderr)
-        return 2
+    except OSError as error:
+        return _refuse(f"the tables cannot be written: {error}")
 
 
 def _study(options):
-    missing = [name for name in STUDY_NEEDS if find_spec(name) is None]
-    if missing:
-        return _refuse(f"the study needs {' and '.join(missing)}: pip install 'sandglass[study]'")
+    if missing := _missing(STUDY_NEEDS):
+        return _refuse(f"the study needs {missing}: {STUDY_EXTRA}")
     from game.study import run
 
     parts = options.part or list(run.PARTS)
@@ -202,6 +207,11 @@ def _study(options):
         return run.run(options.quick, options.out, parts)
     except OSError as error:
         return _refuse(f"the report cannot be written: {error}")
+
+
+def _missing(packages):
+    """Return those of the packages that are not installed, as words."""
+    return " and ".join(name for name in packages if find_spec(name) is None)
 
 
 def _refuse(words):

@@ -5,7 +5,7 @@ import numpy as np
 from game import Rule, World, advance, load_scene
 from game.study.exact.lattices import LATTICES
 from game.study.exact.tiled_worlds import sand_and_walls
-from game.study.report import verdict
+from game.study.report import report
 from game.world.sand.clock import NS_PER_S, Clock
 from game.world.sand.ensemble import density, states_at
 from game.world.sand.rule import SCHEDULES
@@ -49,8 +49,8 @@ def _long_runs(study):
         if iterations // FLIP_AFTER % 2:
             world.flip()
         quantity = f"grains after {iterations:,} iterations and {iterations // FLIP_AFTER:,} flips, {words}"
-        yield verdict.same(quantity, world.grains, grains, CONSERVED)
-        yield verdict.same(f"walls that changed meanwhile, {words}", int((world.walls != walls).sum()), 0, WALL)
+        yield report.same(quantity, world.grains, grains, CONSERVED)
+        yield report.same(f"walls that changed meanwhile, {words}", int((world.walls != walls).sum()), 0, WALL)
 
 
 def _leaks(iterations):
@@ -63,7 +63,7 @@ def _leaks(iterations):
             world = World.from_cells(sand, walls, SEED)
             advance(world, Rule(*SEVEN.probabilities, schedule=schedule), iterations)
             escaped += int(world.sand[distance > 15].sum())
-        yield verdict.same(f"grains through {words} walls one cell thick, {iterations:,} iterations", escaped, 0, WALL)
+        yield report.same(f"grains through {words} walls one cell thick, {iterations:,} iterations", escaped, 0, WALL)
 
 
 def _necks():
@@ -73,8 +73,8 @@ def _necks():
         world = World.from_cells(sand, walls, SEED)
         advance(world, Rule.with_p(p, "balanced"), 10_000)
         quantity = f"grains left above a neck of one cell after 10,000 iterations, p = {p:g}, balanced"
-        yield verdict.same(quantity, int(world.sand[:31].sum()), 0, "no grain can rest on a slope of 45°")
-        yield verdict.same(f"grains in that glass, p = {p:g}", world.grains, int(sand.sum()), CONSERVED)
+        yield report.same(quantity, int(world.sand[:31].sum()), 0, "no grain can rest on a slope of 45°")
+        yield report.same(f"grains in that glass, p = {p:g}", world.grains, int(sand.sum()), CONSERVED)
 
 
 def _counters():
@@ -87,10 +87,10 @@ def _counters():
         for _ in range(10):
             advance(parts, SEVEN, 1)
         differing = int((whole.sand != parts.sand).sum())
-        yield verdict.same(
+        yield report.same(
             f"cells that differ across iteration 2^{exponent}, ten at once or one by one", differing, 0, ARITHMETIC
         )
-        yield verdict.same(f"iterations past 2^{exponent}", whole.iteration - 2**exponent, 5, ARITHMETIC)
+        yield report.same(f"iterations past 2^{exponent}", whole.iteration - 2**exponent, 5, ARITHMETIC)
 
 
 def _extremes():
@@ -100,7 +100,7 @@ def _extremes():
     for words, p, expected in (("0", 0.0, 0), ("−0.0", -0.0, 0), ("5e-324", 5e-324, 0), ("1", 1.0, 256)):
         world = World.from_cells(sand, np.zeros_like(sand), SEED)
         advance(world, Rule.with_p(p), 1)
-        yield verdict.same(
+        yield report.same(
             f"topples of 256 at p = {words}", int(world.sand[:, 1::2].sum()), expected, "never and always"
         )
     try:
@@ -108,7 +108,7 @@ def _extremes():
         answer = "taken"
     except ValueError:
         answer = "refused"
-    yield verdict.same("p = NaN", answer, "refused", "p is in [0, 1]")
+    yield report.same("p = NaN", answer, "refused", "p is in [0, 1]")
 
 
 def _ensembles():
@@ -116,22 +116,22 @@ def _ensembles():
     runs, (sand, walls) = 10**6, sand_and_walls(LATTICES["wide neck"])
     states = states_at(sand, walls, SEVEN, [30], runs, SEED)[0]
     wrong = int((np.bitwise_count(states) != sand.sum()).sum())
-    yield verdict.same(f"replicas of {runs:,} with a grain too many or too few", wrong, 0, CONSERVED)
+    yield report.same(f"replicas of {runs:,} with a grain too many or too few", wrong, 0, CONSERVED)
     places = np.arange(sand.size, dtype=np.uint64)
     counts = [int(((states >> place) & np.uint64(1)).sum()) for place in places]
     mean = density(sand, walls, SEVEN, 30, runs, SEED).ravel()
     wrong = sum(each != count / runs for each, count in zip(mean, counts, strict=True))
-    yield verdict.same(f"cells whose mean over {runs:,} replicas is not the exact quotient", wrong, 0, ARITHMETIC)
+    yield report.same(f"cells whose mean over {runs:,} replicas is not the exact quotient", wrong, 0, ARITHMETIC)
 
 
 def _clocks():
     clock = Clock(1000.0)
     hours = [clock.due(elapsed) for elapsed in (-3600 * NS_PER_S, 0, -1)]
-    yield verdict.same(
+    yield report.same(
         "iterations due in a clock that runs backwards or stops", sum(hours), 0, "time that does not pass"
     )
     quarter = Clock(1000.0).due(NS_PER_S // 4)
-    yield verdict.same(
+    yield report.same(
         "iterations due in a jump by a day, 1000/s", clock.due(86_400 * NS_PER_S), quarter, "a stall is ¼ s"
     )
     for speed in (240.0, 239.7):
@@ -152,6 +152,6 @@ def _year(speed):
         threes += 1
     rest = sum(sum(map(clock.due, frames)) for _ in range(year % threes))
     expected = year * sum(frames) * round(speed * 1000) // (1000 * NS_PER_S)
-    return verdict.same(
+    return report.same(
         f"iterations due in a year at 59.94 Hz, {speed:g}/s", year // threes * due + rest, expected, ARITHMETIC
     )

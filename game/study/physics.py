@@ -4,15 +4,18 @@ import numpy as np
 
 from game import Rule, World, advance
 from game.study.paper.settling import column
-from game.study.report import verdict
+from game.study.report import report
 from game.study.report.drawing import figure
-from game.study.report.report import Picture, Table
+from game.study.report.report import Picture
 from game.study.report.statistics import Sample
-from game.study.tank import Tank
-from game.world.sand.measure import pile_heights, slope_degrees
+from game.study.report.table import Table
+from game.world.sand.measure import flow, grains_above, pile_heights, slope_degrees
 
 TITLE = "6. Sand as physics"
-WIDTH, HEIGHT = 96, 200  # cells, of the tank
+WIDTH, HEIGHT = 96, 200  # cells, of the hopper
+BELOW = 40  # rows under the neck
+CLEARED = 8  # rows under the neck that keep their sand
+BITE = 24  # iterations between two clearings: a whole number of rounds, and fewer than a grain needs to the ground
 GRAINS = 900  # in a column that becomes a pile: 30 cells high
 LOOK = 200  # iterations between two looks at it
 NECKS = (2, 4, 6, 8, 12, 16, 24)  # cells
@@ -25,8 +28,6 @@ BEVERLOO = "real sand: flow ∝ width^3/2 in two dimensions (Beverloo, Leniger &
 CONSTANT = "real sand: the flow of an hourglass hardly depends on the height above (Janssen 1895; Beverloo 1961)"
 REPOSE = "real dry sand: 30-35° (textbook angle of repose)"
 STEPS = "a grain on a step of two cells can topple, whatever p > 0"
-
-
 READING = (
     "Right: sand is conserved and heaps into cones with straight flanks, and at p ≥ 0.75 a glass runs out at a rate "
     "that does not depend on how much is left. Not right: at p ≤ 0.5 the flow dwindles with the sand above; the slope "
@@ -51,28 +52,26 @@ def _necks(study):
     flows = {}
     for schedule in PER_COLUMN:
         for neck in study.track(NECKS, f"necks, {schedule}"):
-            tank = Tank(WIDTH, HEIGHT, neck, 0.75, schedule)
-            tank.run(4)
-            plug = tank.run(4)
-            tank.run(40)
-            flows[schedule, neck] = plug, tank.run(20)
+            hopper = Hopper(WIDTH, HEIGHT, neck, 0.75, schedule)
+            hopper.run(4)
+            plug = hopper.run(4)
+            hopper.run(40)
+            flows[schedule, neck] = plug, hopper.run(20)
     heads = "schedule", "neck, cells", "flow at first, grains per iteration", "flow later"
-    yield Table("Flow out of a full tank, p = 0.75.", heads, [(*each, *flow) for each, flow in flows.items()])
+    yield Table.of("Flow out of a full hopper, p = 0.75.", heads, [(*each, *rates) for each, rates in flows.items()])
     yield Picture(
         "neck", _neck_figure(flows), "Flow against the width of the neck, beside Beverloo's law for real sand."
     )
     for schedule, rate in PER_COLUMN.items():
         plug, steady = np.transpose([flows[schedule, neck] for neck in NECKS])
         furthest = float(abs(plug / NECKS - rate).max())
-        yield verdict.same(f"largest error of the first flow per column of the neck, {schedule}", furthest, 0.0, PLUG)
+        yield report.same(f"largest error of the first flow per column of the neck, {schedule}", furthest, 0.0, PLUG)
         furthest = float(abs(steady - 2 * rate).max())
-        yield verdict.same(
-            f"largest error of the later flow as two columns' worth, {schedule}", furthest, 0.0, SURFACES
-        )
-        for words, flow in (("first", plug), ("later", steady)):
-            exponent, error = _exponent(NECKS, flow)
+        yield report.same(f"largest error of the later flow as two columns' worth, {schedule}", furthest, 0.0, SURFACES)
+        for words, rates in (("first", plug), ("later", steady)):
+            exponent, error = _exponent(NECKS, rates)
             quantity = f"exponent of the {words} flow in the neck's width, {schedule}"
-            yield verdict.claimed(quantity, exponent, error, 1.4, 1.6, BEVERLOO)
+            yield report.claimed(quantity, exponent, error, 1.4, 1.6, BEVERLOO)
 
 
 def _exponent(x, y):
@@ -99,23 +98,23 @@ def _neck_figure(flows):
 
 
 def _heights(study):
-    """Yield rows on the flow while a tank runs down from four fifths to two fifths."""
+    """Yield rows on the flow while a hopper runs down from four fifths to two fifths."""
     for p in study.track(PROBABILITIES, "heights"):
         found = []
         for seed in range(study.either(2, 16)):
-            tank = Tank(WIDTH, HEIGHT, 4, p, seed=seed)
-            full = tank.grains
-            flows = [_flow_at(tank, part * full) for part in (0.8, 0.6, 0.4)]
+            hopper = Hopper(WIDTH, HEIGHT, 4, p, seed=seed)
+            full = hopper.grains
+            flows = [_flow_at(hopper, part * full) for part in (0.8, 0.6, 0.4)]
             found.append([np.log(flows[0] / flows[2]) / np.log(2.0), flows[0], flows[2]])
         sample = Sample.of(found)
         quantity = f"exponent of the flow in the sand left, from 80 % to 40 %, p = {p:g}"
-        yield verdict.claimed(quantity, sample.mean[0], sample.error[0], -0.05, 0.05, CONSTANT)
+        yield report.claimed(quantity, sample.mean[0], sample.error[0], -0.05, 0.05, CONSTANT)
 
 
-def _flow_at(tank, grains):
-    while tank.grains > grains:
-        tank.run(4)
-    return tank.run(10)
+def _flow_at(hopper, grains):
+    while hopper.grains > grains:
+        hopper.run(4)
+    return hopper.run(10)
 
 
 def _slopes(study):
@@ -130,9 +129,9 @@ def _slopes(study):
             highest = max(highest, int(abs(np.diff(heights)).max()))
             found.append([slope_degrees(heights)])
         slopes[p] = Sample.of(found)
-    yield verdict.same("highest step between neighbouring columns at rest, cells", highest, 1, STEPS)
+    yield report.same("highest step between neighbouring columns at rest, cells", highest, 1, STEPS)
     for p, slope in slopes.items():
-        yield verdict.claimed(f"final slope, p = {p:g}, degrees", slope.mean[0], slope.error[0], 30.0, 35.0, REPOSE)
+        yield report.claimed(f"final slope, p = {p:g}, degrees", slope.mean[0], slope.error[0], 30.0, 35.0, REPOSE)
 
 
 def _free_fall():
@@ -144,4 +143,41 @@ def _free_fall():
         advance(world, Rule(schedule="balanced"), time - world.iteration)
         fallen.append(int(np.flatnonzero(world.sand.any(axis=1))[0]))
     exponent, error = _exponent(times, fallen)
-    return verdict.claimed("exponent of the fallen height in time", exponent, error, 1.9, 2.1, "real sand: ½gt²")
+    return report.claimed("exponent of the fallen height in time", exponent, error, 1.9, 2.1, "real sand: ½gt²")
+
+
+class Hopper:
+    """A full box of sand of `height` rows over a funnel of 45 degrees that ends in a neck of `neck` cells."""
+
+    def __init__(self, width, height, neck, p, schedule="balanced", seed=1):
+        cone = (width - neck) // 2
+        self.row = height + cone + 1  # first row under the neck
+        self.rule = Rule.with_p(p, schedule)
+        self.neck = neck
+        axis = np.abs(np.arange(width) + 0.5 - width / 2)
+        inner = np.full(self.row + BELOW, width / 2)
+        inner[height : self.row] = neck / 2 + np.arange(cone, -1, -1)
+        walls = axis > inner[:, None]
+        sand = ~walls
+        sand[self.row :] = False
+        self.world = World.from_cells(sand, walls, seed)
+
+    @property
+    def grains(self):
+        """How many grains are above the neck."""
+        return grains_above(self.world, self.row)
+
+    def run(self, bites):
+        """Let it flow for so many bites; return the flow in grains per iteration."""
+        total = 0.0
+        for _ in range(bites):
+            total += flow(self.world, self.rule, BITE, self.row)
+            self._clear()
+        return total / bites
+
+    def _clear(self):
+        """Take away what has left, which would pile up to the neck."""
+        sand, old = self.world.sand, self.world
+        sand[self.row + CLEARED :] = False
+        self.world = World.from_cells(sand, old.walls, old.seed)
+        self.world.iteration = old.iteration

@@ -1,23 +1,20 @@
 """The study: runs its parts one after the other, shows what they find and writes it down.
 
-A part is a module with a TITLE and a function `run(study)` that yields Rows (made by `verdict`), Tables, Pictures and
-paragraphs (str) in the order of reading. `study.quick` asks for a run of seconds; `study.track` draws a bar.
+A part is a module with a TITLE and a function `run(study)` that yields Rows, Tables, Pictures and paragraphs (str) in
+the order of reading. `study.quick` asks for a run of seconds; `study.track` draws a bar.
 """
 
-import os
-import platform
 import time
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from pathlib import Path
-
-import numpy as np
 
 from game.study import hard_cases, physics, schedules
 from game.study.exact import part as exact
 from game.study.paper import part as paper
-from game.study.report.console import Desk
+from game.study.report.console import Terminal
 from game.study.report.markdown import write
-from game.study.report.report import DISAGREES, Report, Section
+from game.study.report.report import DISAGREES, Report, Section, count_verdicts
+from game.study.summary import summary
 from game.study.trade import part as trade
 
 PARTS = {
@@ -30,55 +27,47 @@ PARTS = {
 }  # in the order of reading
 
 
-@dataclass
+@dataclass(frozen=True)
 class Study:
     """What a part may ask while it runs."""
 
     quick: bool
-    desk: Desk = field(default_factory=Desk)
+    terminal: Terminal
 
     def track(self, items, words, total=None):
         """Yield from `items` behind a progress bar that says `words`; total: their number, where `len` cannot tell."""
-        return self.desk.track(items, words, total)
+        return self.terminal.track(items, words, total)
 
     def either(self, quick, full):
         """Return `quick` in a quick run, else `full`."""
         return quick if self.quick else full
 
 
-def run(quick=False, folder=Path("study"), parts=tuple(PARTS), desk=None):
+def run(quick=False, folder=Path("study"), parts=tuple(PARTS)):
     """Run the parts named, write the report to `folder` and return 1 if a row disagrees, else 0.
 
     Raises OSError if the folder cannot be written to.
     """
     folder.mkdir(parents=True, exist_ok=True)  # before the work: a folder that cannot be made would waste it
-    study = Study(quick, desk or Desk())
-    report = Report(_about(quick))
+    study = Study(quick, Terminal())
+    report = Report("study", "How right the sand is", quick)
     for name in parts:
         section = run_part(study, name, PARTS[name])
-        study.desk.show(section)
+        study.terminal.show(section, section.rows)
         report.sections.append(section)
-    path = write(report, folder)
-    counts = ", ".join(f"{count} {verdict}" for verdict, count in report.verdicts.items())
-    study.desk.say(f"{counts}; written to {path}")
-    return 1 if report.verdicts[DISAGREES] else 0
+    verdicts = count_verdicts(report.rows)
+    counts = ", ".join(f"{count} {verdict}" for verdict, count in verdicts.items())
+    pages = {"README.md": summary(report), "study.md": [f"Verdicts: {counts}.", *report.items]}
+    write(report, pages, folder)
+    study.terminal.say(f"{counts}; written to {folder / 'study.md'}")
+    return 1 if verdicts[DISAGREES] else 0
 
 
 def run_part(study, name, part):
     """Return the Section that a part makes."""
     section = Section(name, part.TITLE)
     start = time.perf_counter()
-    with study.desk.at_work(part.TITLE):
+    with study.terminal.at_work(part.TITLE):
         section.items.extend(part.run(study))
     section.seconds = time.perf_counter() - start
     return section
-
-
-def _about(quick):
-    return {
-        "run": "quick" if quick else "full",
-        "processor": f"{platform.machine()}, {os.cpu_count()} cores",
-        "system": platform.system(),
-        "Python": platform.python_version(),
-        "numpy": np.__version__,
-    }

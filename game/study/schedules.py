@@ -6,9 +6,9 @@ import numpy as np
 
 from game import Rule, World, advance, load_scene, scene_names
 from game.study.paper.sticking import ALL_FOUR, LONG, MIRRORED, SIDE, glass, stuck
-from game.study.report import verdict
-from game.study.report.report import Table
+from game.study.report import report
 from game.study.report.statistics import Sample
+from game.study.report.table import Table
 from game.world.sand.ensemble import counts_at
 from game.world.sand.measure import grains_above
 from game.world.sand.rule import SCHEDULES
@@ -45,7 +45,7 @@ def run(study):
 def _decision():
     others = [name for name in scene_names() if name != "paper" and load_scene(name).rule.schedule != SHIPPED]
     quantity = f"shipped scenes, but for the paper's, that do not use {SHIPPED}"
-    yield verdict.same(quantity, ", ".join(others) or "none", "none", "this section")
+    yield report.same(quantity, ", ".join(others) or "none", "none", "this section")
     yield (
         f"So the shipped scenes use {SHIPPED}: it falls as fast as margolus, drains to the last grain as the paper's "
         "does, in half to nine tenths of the time, and is the only one without a lean wherever the sand comes from. "
@@ -58,7 +58,7 @@ def _speeds():
     for name, expected in SPEEDS.items():
         found = {_speed(name, column, row) for column, row in product((0, 1), (0, 1))}
         measured = found.pop() if len(found) == 1 else str(sorted(found))
-        yield verdict.same(f"speed of a free grain, {name}, cells per iteration", measured, expected, TWICE)
+        yield report.same(f"speed of a free grain, {name}, cells per iteration", measured, expected, TWICE)
 
 
 def _speed(schedule, column, row):
@@ -77,7 +77,7 @@ def _symmetries():
     for name in SCHEDULES:
         world = World.from_cells(sand, walls)
         differing = _unlike(world, world.copy(), name)
-        yield verdict.same(f"cells unlike their mirror image, even width, {name}", differing, 0, ITSELF)
+        yield report.same(f"cells unlike their mirror image, even width, {name}", differing, 0, ITSELF)
     sand, walls, _ = glass(0)
     for name in SCHEDULES:
         later = World.from_cells(sand, walls)
@@ -85,9 +85,9 @@ def _symmetries():
         differing = _unlike(World.from_cells(sand, walls), later, name)
         quantity = f"cells unlike the mirror image started two iterations later, odd width, {name}"
         if name == SHIPPED:
-            yield verdict.same(quantity, differing, 0, MIRRORED)
+            yield report.same(quantity, differing, 0, MIRRORED)
         else:
-            yield verdict.noted(quantity, differing)
+            yield report.noted(quantity, differing)
 
 
 def _unlike(world, other, schedule):
@@ -106,17 +106,17 @@ def _leans(study):
         found[name, p, right] = _lean(name, p, right, study.either(256, 4096))
     table = [(name, f"{p:g}", right, each.mean[0], each.error[0]) for (name, p, right), each in found.items()]
     heads = "schedule", "p", "glass moved right by", "lean, %", "standard error"
-    yield Table(LEAN, heads, table)
+    yield Table.of(LEAN, heads, table)
     for name, p in product(SCHEDULES, PROBABILITIES):
         here, moved = (found[name, p, right] for right in (0, 1))
         error = np.hypot(here.error[0], moved.error[0])
         quantity = f"lean in two glasses a column apart, summed, {name}, p = {p:g}, %"
-        yield verdict.close(quantity, here.mean[0] + moved.mean[0], error, 0.0, APART)
+        yield report.close(quantity, here.mean[0] + moved.mean[0], error, 0.0, APART)
         if name == SHIPPED:
             quantity = f"lean of the pile, {name}, p = {p:g}, %"
-            yield verdict.close(quantity, here.mean[0], here.error[0], 0.0, MIRRORED)
+            yield report.close(quantity, here.mean[0], here.error[0], 0.0, MIRRORED)
         else:
-            yield verdict.noted(f"lean of the pile, {name}, p = {p:g}, %", here.mean[0], here.error[0])
+            yield report.noted(f"lean of the pile, {name}, p = {p:g}, %", here.mean[0], here.error[0])
 
 
 def _lean(schedule, p, right, runs):
@@ -139,9 +139,9 @@ def _stuck():
         left = sum(sum(stuck(name, p, right, down)) for p, right, down in cases)
         quantity = f"grains left above the neck after {LONG:,} iterations, 12 glasses of all parities and p, {name}"
         if name == "margolus":
-            yield verdict.noted(quantity, left)
+            yield report.noted(quantity, left)
         else:
-            yield verdict.same(quantity, left, 0, ALL_FOUR)
+            yield report.same(quantity, left, 0, ALL_FOUR)
 
 
 def _drains(study):
@@ -155,7 +155,7 @@ def _drains(study):
         else:
             found = Sample.of([[time] for time in times])
             table.append((*case, found.mean[0], found.error[0]))
-    yield Table(
+    yield Table.of(
         "Iterations until the upper bulb of a symmetric glass is empty, its neck 1 cell (odd width) or 2 cells (even).",
         ("schedule", "p", "width", "iterations", "standard error"),
         table,

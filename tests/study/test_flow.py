@@ -5,9 +5,8 @@ import pytest
 
 from game import Rule, World, advance
 from game.study.paper.sticking import glass, stuck
-from game.study.physics import PER_COLUMN
+from game.study.physics import BITE, PER_COLUMN, Hopper
 from game.study.report.statistics import Sample, shape_of
-from game.study.tank import BITE, Tank
 from game.study.trade import cell_sizes, part
 from game.study.trade.chance_settings import shortened
 from game.study.trade.points import Point, point
@@ -17,17 +16,17 @@ from game.world.sand.rule import SCHEDULES
 @pytest.mark.parametrize("schedule", PER_COLUMN)
 @pytest.mark.parametrize("neck", [2, 7])
 def test_a_plug_falls_column_by_column_and_then_the_surface_flows_whatever_the_neck(schedule, neck):
-    tank = Tank(40 + neck % 2, 80, neck, 0.75, schedule)
-    assert tank.run(2) == pytest.approx(neck * PER_COLUMN[schedule], rel=0.02)
-    tank.run(24)
-    assert tank.run(4) == pytest.approx(2 * PER_COLUMN[schedule])
+    hopper = Hopper(40 + neck % 2, 80, neck, 0.75, schedule)
+    assert hopper.run(2) == pytest.approx(neck * PER_COLUMN[schedule], rel=0.02)
+    hopper.run(24)
+    assert hopper.run(4) == pytest.approx(2 * PER_COLUMN[schedule])
 
 
-def test_a_tank_loses_nothing_but_what_flows_out():
-    tank = Tank(40, 60, 4, 0.5)
-    before = tank.grains
-    left = round(BITE * 3 * tank.run(3))
-    assert left > 0 and tank.grains == before - left
+def test_a_hopper_loses_nothing_but_what_flows_out():
+    hopper = Hopper(40, 60, 4, 0.5)
+    before = hopper.grains
+    left = round(BITE * 3 * hopper.run(3))
+    assert left > 0 and hopper.grains == before - left
 
 
 @pytest.mark.parametrize("schedule", SCHEDULES)

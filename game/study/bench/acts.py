@@ -3,11 +3,12 @@
 import numpy as np
 
 from game.core.draw.cells import AIR, AIR_BY_WALL, EDGE, GRAIN, GRAIN_BY_WALL, RIM, SURFACE, UNDER, WALL
-from game.study.bench import table, worlds
-from game.study.bench.candidates import ours
+from game.study.bench import worlds
 from game.study.bench.checks import WrongCellsError, same_as_twin
-from game.study.bench.rounds import Candidate, take_turns
-from game.study.bench.table import Column, Table
+from game.study.bench.rounds import MILLISECONDS, Workload, ours, take_turns
+from game.study.report import table
+from game.study.report.report import Section
+from game.study.report.table import Column, Table
 from game.world.looks.painter import Painter, texture
 from game.world.looks.themes import NIGHT, palette
 from game.world.looks.view import View
@@ -15,8 +16,8 @@ from game.world.sessions.action import Paint, apply
 
 COLUMNS = (
     Column("name", "act"),
-    Column("time", "ms", table.MILLISECONDS),
-    Column("iterations", "iterations' worth", table.figure),
+    Column("time", "ms", MILLISECONDS),
+    Column("iterations", "iterations' worth", table.three_digits),
     Column("when", "when"),
 )
 ITERATION = "one iteration"
@@ -31,10 +32,8 @@ def act_table(plan):
     same_as_twin(world, worlds.GLASS_RULE, plan.checked)
     acts = _acts(world)
     _check(world)
-    candidates = [Candidate(name, act, world.copy) for name, (_, act) in acts.items()]
-    found = take_turns(
-        [ours(ITERATION, world, worlds.GLASS_RULE, plan.batch), *candidates], plan.rounds, plan.sample_ns
-    )
+    workloads = [Workload(name, act, world.copy) for name, (_, act) in acts.items()]
+    found = take_turns([ours(ITERATION, world, worlds.GLASS_RULE, plan.batch), *workloads], plan.rounds, plan.sample_ns)
     rows = [
         {
             "name": name,
@@ -48,7 +47,7 @@ def act_table(plan):
         f"On the hourglass in mid-flow, {table.size(size)} cells. Checked beforehand: pixels, grains, flip and copy "
         "are those of plain numpy on the cells."
     ]
-    return Table("acts", "3c · What a scene needs: the cost of each act", COLUMNS, rows, notes)
+    return Section("acts", "3c · What a scene needs: the cost of each act", [Table("", COLUMNS, rows), *notes])
 
 
 def _acts(world):

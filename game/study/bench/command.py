@@ -1,24 +1,24 @@
-"""The command: measures table after table, prints each, and writes them down."""
+"""The command: measures table after table, shows each, and writes them down."""
 
 import json
 import time
-from functools import partial
-from pathlib import Path
 
 from game.study.bench import (
     acts,
     frames,
     hourglass_p,
-    machine,
     peer_table,
     rules_and_motion,
     scale,
     start_up,
     table_one,
-    threads,
 )
 from game.study.bench.checks import WrongCellsError
+from game.study.bench.goals import goal_section
 from game.study.bench.plan import FULL, QUICK
+from game.study.report.console import Terminal
+from game.study.report.markdown import as_dict, write
+from game.study.report.report import Report
 
 TABLES = (
     table_one.paper_table,
@@ -28,92 +28,49 @@ TABLES = (
     acts.act_table,
     scale.scale_table,
     frames.frame_table,
-    threads.thread_table,
     start_up.start_table,
 )
-AGAIN = "python main.py bench"
-PICTURE = "bench.png"
 
 
-class CannotWriteError(Exception):
-    """What was asked for cannot be written; says in one line why, and what to do about it."""
-
-
-def run(quick=False, as_json=False, out=None, plan=None):
+def run(quick=False, as_json=False, folder=None, plan=None):
     """Run the bench and return the exit status: 0, or 1 where an implementation moved sand elsewhere than the twin.
 
-    out: a folder for the tables as Markdown and JSON and for the picture. Raises CannotWriteError before anything is
-    measured if the folder cannot be made or the picture not be drawn.
+    folder: where the tables go as Markdown and JSON, and the picture, if anywhere. Raises OSError before anything is
+    measured if it cannot be made.
     """
-    plan = plan or (QUICK if quick else FULL)
-    say = (lambda *_: None) if as_json else partial(print, flush=True)
-    picture = _picture() if out else None
-    if out:
-        _make_folder(out)
-    head = machine.line()
-    say(f"{head}\n")
-    start, tables = time.perf_counter(), []
+    if folder:
+        folder.mkdir(parents=True, exist_ok=True)
+    terminal, report = Terminal(quiet=as_json), Report("bench", "How fast the sand is", quick)
+    terminal.say(f"{report.machine}\n")
     try:
         for measure in TABLES:
-            tables.append(measure(plan))
-            say(f"{tables[-1].text()}\n")
+            section = _timed(measure, plan or (QUICK if quick else FULL))
+            terminal.show(section, section.items)
+            report.sections.append(section)
     except WrongCellsError as error:
         print(json.dumps({"error": str(error)}) if as_json else f"sandglass bench: {error}")
         return 1
-    took_s = time.perf_counter() - start
-    say(_verdicts(tables) + f"\n\n{took_s:.0f} s")
-    report = as_dict(head, tables, quick, took_s)
+    goals = goal_section(report.sections)
+    terminal.show(goals, goals.items)
+    report.sections.append(goals)
+    terminal.say(f"{sum(section.seconds for section in report.sections):.0f} s")
     if as_json:
-        print(json.dumps(report))
-    if out:
-        _write(Path(out), head, tables, report, quick, picture)
+        print(json.dumps(as_dict(report)))
+    if folder:
+        _write(report, folder)
     return 0
 
 
-def as_dict(head, tables, quick, took_s):
-    """Return everything as data for JSON. Times are in nanoseconds where a key says nothing else."""
-    return {
-        "machine": head,
-        "quick": quick,
-        "seconds": took_s,
-        "tables": {each.key: each.as_dict() for each in tables},
-        "goals": [goal.as_dict() for each in tables for goal in each.goals],
-    }
+def _timed(measure, plan):
+    """Return the section that `measure` makes, with the seconds that it took."""
+    start = time.perf_counter()
+    section = measure(plan)
+    section.seconds = time.perf_counter() - start
+    return section
 
 
-def markdown(head, tables, quick):
-    """Return the tables as one page that says how to make it again."""
-    again = f"Made by `{AGAIN}{' --quick' if quick else ''} --out DIR`; the same command makes it again."
-    picture = f"![Time of an iteration against cells]({PICTURE})"
-    parts = [f"# Speed\n\n{head}\n\n{again}\n\n{picture}\n", *(each.markdown() for each in tables)]
-    return "\n".join([*parts, f"## Goals\n\n```\n{_verdicts(tables)}\n```\n"])
+def _write(report, folder):
+    from game.study.bench import picture  # here, as nothing else in the bench needs matplotlib
 
-
-def _verdicts(tables):
-    """Return every goal with its figure, and how many were met."""
-    goals = [goal for each in tables for goal in each.goals]
-    met = sum(goal.met for goal in goals)
-    return "\n".join([f"Goals: {met} of {len(goals)} met", "", *(f"  {goal.line}" for goal in goals)])
-
-
-def _picture():
-    try:
-        from game.study.bench import picture
-    except ModuleNotFoundError as error:
-        raise CannotWriteError(
-            f"--out draws a picture and needs {error.name}, which is not installed: pip install 'sandglass[study]'"
-        ) from None
-    return picture
-
-
-def _make_folder(out):
-    try:
-        Path(out).mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise CannotWriteError(f"--out needs a folder that can be written: {error}") from None
-
-
-def _write(folder, head, tables, report, quick, picture):
-    (folder / "bench.md").write_text(markdown(head, tables, quick), encoding="utf-8")
-    (folder / "bench.json").write_text(json.dumps(report, indent=1) + "\n", encoding="utf-8")
-    picture.draw({each.key: each.rows for each in tables}, folder / PICTURE)
+    rows = {section.name: section.tables[0].rows for section in report.sections}
+    write(report, {"README.md": [picture.draw(rows), *report.items]}, folder)

@@ -1,10 +1,11 @@
 """Frames: where the milliseconds of a frame go, in the toy's own window."""
 
-from game.study.bench import goals, table
+from game.study.bench import goals
 from game.study.bench.checks import WrongCellsError
-from game.study.bench.processes import NoWindowError, timing
-from game.study.bench.screen import screen
-from game.study.bench.table import Column, Table
+from game.study.bench.processes import NoWindowError, screen, timing
+from game.study.report import table
+from game.study.report.report import Section
+from game.study.report.table import Column, Table
 
 STAGES = ("events", "stepping", "drawing", "panel", "present", "other")
 COLUMNS = (
@@ -12,14 +13,14 @@ COLUMNS = (
     Column("shown", "with"),
     Column("cells", "cells", table.size),
     Column("window", "window", table.size),
-    Column("cell", "px/cell", table.figure),
+    Column("cell", "px/cell", table.three_digits),
     Column("driver", "driver"),
-    Column("iterations", "iterations/frame", table.figure),
+    Column("iterations", "iterations/frame", table.three_digits),
     Column("streams", "streams"),
-    *(Column(stage, stage, table.figure) for stage in STAGES),
-    Column("median_ms", "median ms", table.figure),
-    Column("p99_ms", "p99 ms", table.figure),
-    Column("goal", "goal", goals.verdict),
+    *(Column(stage, stage, table.three_digits) for stage in STAGES),
+    Column("median_ms", "median ms", table.three_digits),
+    Column("p99_ms", "p99 ms", table.three_digits),
+    goals.COLUMN,
 )
 
 
@@ -38,7 +39,7 @@ def frame_table(plan):
         "Smooth streams: falling sand as the mean of the last four iterations; plain on more than four million cells.",
         "Checked: the world that was shown is the one that as many iterations without a window give.",
     ]
-    return Table("frames", "5 · Frames", COLUMNS, rows, notes)
+    return Section("frames", "5 · Frames", [Table("", COLUMNS, rows), *notes])
 
 
 def _arguments(case, plan):

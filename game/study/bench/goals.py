@@ -2,6 +2,9 @@
 
 from dataclasses import asdict, dataclass
 
+from game.study.report.report import Section
+from game.study.report.table import Column, Table
+
 PACE_P1 = 1.0  # of the xor pass, p = 1, every cell in motion, from 1920×1080 on …
 PACE_P1_LARGEST = 1.5  # … and on the largest lattice, which no cache holds
 PACE_CHANCE = 0.7  # of the xor pass, the paper's p on an hourglass in mid-flow …
@@ -17,7 +20,6 @@ WARM_S = 1.0  # from the command to the first frame
 COLD_SPLASH_S = 1.0  # from the command to the splash, no kernel compiled before
 COLD_S = 10.0  # from the command to the first frame, no kernel compiled before
 PLANES_MB = 200.0  # of the largest lattice
-THREADS = 1.6  # times the pace on two cores from which a second thread would be worth its trouble
 
 
 @dataclass(frozen=True)
@@ -46,13 +48,17 @@ class Goal:
         """The limit and whether it was met: '≥ 0.7×: met'."""
         return f"{self.wanted}: {'met' if self.met else 'not met'}{self.spoiled and f' ({self.spoiled})'}"
 
-    @property
-    def line(self):
+    def __str__(self):
         """What was measured and what was wanted: 'settled …: 1.7 %, wanted ≤ 2 %: met'."""
-        return f"{self.what}: {self.measured:.3g}{self.unit}, wanted {self.verdict}"
+        return f"{self.what}: {self.reading}, wanted {self.verdict}"
+
+    @property
+    def reading(self):
+        """What was measured, with its unit."""
+        return f"{self.measured:.3g}{self.unit}"
 
     def as_dict(self):
-        """The goal as data for JSON."""
+        """Return the goal as data for JSON."""
         return {**asdict(self), "wanted": self.wanted, "met": self.met}
 
 
@@ -66,6 +72,18 @@ def at_most(what, measured, limit, unit="×", spoiled=""):
     return Goal(what, measured, limit, unit, at_least=False, spoiled=spoiled)
 
 
-def verdict(goal):
-    """Return how a goal reads beside its figure."""
-    return goal.verdict
+COLUMN = Column("goal", "goal", lambda goal: goal.verdict)
+
+
+def goals_of(section):
+    """Return the goals in the rows of a section and among its notes."""
+    beside_rows = [row["goal"] for table in section.tables for row in table.rows if row.get("goal")]
+    return beside_rows + [item for item in section.items if isinstance(item, Goal)]
+
+
+def goal_section(sections):
+    """Return a Section with every goal of the sections, and in its title how many were met."""
+    goals = [goal for section in sections for goal in goals_of(section)]
+    rows = [(goal.what, goal.reading, goal.verdict) for goal in goals]
+    title = f"Goals: {sum(goal.met for goal in goals)} of {len(goals)} met"
+    return Section("goals", title, [Table.of("", ("figure", "measured", "wanted"), rows)])

@@ -1,22 +1,23 @@
 """The paper's p on an hourglass in mid-flow, from its 61×61 cells to the largest lattice."""
 
-from game.study.bench import goals, table, worlds
-from game.study.bench.candidates import ours, xor_pass
+from game.study.bench import goals, worlds
 from game.study.bench.checks import same_as_twin
-from game.study.bench.rounds import take_turns
-from game.study.bench.table import Column, Table
+from game.study.bench.rounds import MICROSECONDS, ours, take_turns, xor_pass
+from game.study.report import table
+from game.study.report.report import Section
+from game.study.report.table import Column, Table
 from game.world.sand.rule import Rule
 
 PAPER_P = (0.25, 0.5, 0.75)
 COLUMNS = (
     Column("size", "lattice", table.size),
     Column("p", "p", "{:g}".format),
-    Column("time", "µs per iteration", table.MICROSECONDS),
-    Column("xor", "xor pass µs", table.MICROSECONDS),
-    Column("gcells", "Gcell/s", table.figure),
+    Column("time", "µs per iteration", MICROSECONDS),
+    Column("xor", "xor pass µs", MICROSECONDS),
+    Column("gcells", "Gcell/s", table.three_digits),
     Column("pace", "xor pace", table.ratio),
-    Column("checked", "checked", table.whole),
-    Column("goal", "goal", goals.verdict),
+    Column("checked", "checked"),
+    goals.COLUMN,
 )
 
 
@@ -28,15 +29,16 @@ def glass_table(plan):
         f"iterations in one call. Above {worlds.TALLEST} rows the sand is that of a smaller glass, enlarged, and has "
         f"then run 1/{worlds.REST} of the height in iterations.",
     ]
-    return Table("glass", "3b · What a scene needs: the paper's p, hourglass in mid-flow", COLUMNS, rows, notes)
+    title = "3b · What a scene needs: the paper's p, hourglass in mid-flow"
+    return Section("glass", title, [Table("", COLUMNS, rows), *notes])
 
 
 def _rows(size, plan):
     world, cells = worlds.flowing(size), size[0] * size[1]
     rules = {p: Rule.with_p(p, worlds.GLASS_RULE.schedule) for p in (*PAPER_P, 1.0)}
     checked = {p: same_as_twin(world, rule, plan.checked) for p, rule in rules.items()}
-    candidates = [ours(p, world, rule, plan.batch) for p, rule in rules.items()]
-    found = take_turns([*candidates, xor_pass(cells, plan.batch)], plan.rounds, plan.sample_ns)
+    workloads = [ours(p, world, rule, plan.batch) for p, rule in rules.items()]
+    found = take_turns([*workloads, xor_pass(cells, plan.batch)], plan.rounds, plan.sample_ns)
     return [
         {
             "size": size,

@@ -1,23 +1,24 @@
 """Peers in the same run: what the same automaton costs written in other ways."""
 
-from game.study.bench import table, worlds
-from game.study.bench.candidates import ours, theirs
+from game.study.bench import worlds
 from game.study.bench.checks import peer_same_as_ours, same_as_twin
-from game.study.bench.rounds import take_turns
-from game.study.bench.table import Column, Table
+from game.study.bench.rounds import MICROSECONDS, ours, take_turns, theirs
 from game.study.peers import cpp_blocks
 from game.study.peers.byte_loop import BYTE_LOOP
 from game.study.peers.numpy_blocks import NUMPY
+from game.study.report import table
+from game.study.report.report import Section
+from game.study.report.table import Column, Table
 from game.world.sand.rule import Rule
 
 COLUMNS = (
     Column("size", "lattice", table.size),
     Column("world", "world"),
     Column("name", "implementation"),
-    Column("time", "µs per iteration", table.MICROSECONDS),
-    Column("gcells", "Gcell/s", table.figure),
+    Column("time", "µs per iteration", MICROSECONDS),
+    Column("gcells", "Gcell/s", table.three_digits),
     Column("slower", "ours is faster", table.ratio),
-    Column("checked", "checked", table.whole),
+    Column("checked", "checked"),
 )
 OURS = "ours"
 
@@ -44,16 +45,16 @@ def peer_table(plan):
         "Checked: so many iterations of ours gave the plain twin's cells, and so many of each peer ours, at p = 0 and "
         "at p = 1, where the peers' own random numbers decide nothing.",
     ]
-    return Table("peers", "2 · Peers in the same run", COLUMNS, rows, notes)
+    return Section("peers", "2 · Peers in the same run", [Table("", COLUMNS, rows), *notes])
 
 
 def _rows(size, name, world, rule, peers, plan):
     checked = {OURS: same_as_twin(world, rule, plan.checked)}
     for peer in peers:
         checked[peer.key] = peer_same_as_ours(peer, world, rule, plan.checked)
-    candidates = [ours(OURS, world, rule, plan.peer_batch)]
-    candidates += [theirs(peer, world, rule, plan.peer_batch) for peer in peers]
-    found = take_turns(candidates, plan.rounds, plan.sample_ns)
+    workloads = [ours(OURS, world, rule, plan.peer_batch)]
+    workloads += [theirs(peer, world, rule, plan.peer_batch) for peer in peers]
+    found = take_turns(workloads, plan.rounds, plan.sample_ns)
     names = {**{peer.key: peer.name for peer in peers}, OURS: "ours, bit planes"}
     return [
         {

@@ -2,8 +2,10 @@
 
 from matplotlib.figure import Figure
 
+from game.study.report.report import Picture
+
 GROUND, FRAME, TEXT, DIM = "#181512", "#3a342d", "#e8dfd2", "#a89d8e"
-SIZE_INCHES, DOTS_PER_INCH = (9.0, 5.6), 160
+SIZE_INCHES = (9.0, 5.6)
 FRAME_BUDGET_MS = 16.0
 LINES = (  # label, colour, marker
     ("paper", "the paper's table", "#c9bfb0", "s"),
@@ -15,24 +17,24 @@ LINES = (  # label, colour, marker
 )
 
 
-def curves(rows):
-    """Return {key of LINES: [(cells, milliseconds)]} from the rows of the tables, by key."""
+def curves(tables):
+    """Return {key of LINES: [(cells, milliseconds)]} from the rows of each table."""
     found = {key: [] for key, *_ in LINES}
-    found["paper"] = [(row["cells"], row["paper_ms"]) for row in rows["paper"] if row["paper_ms"]]
-    for row in rows["peers"]:
+    found["paper"] = [(row["cells"], row["paper_ms"]) for row in tables["paper"] if row["paper_ms"]]
+    for row in tables["peers"]:
         if "p = 1" in row["world"] and row["key"] in found and row["key"] != "ours":
             found[row["key"]].append((row["cells"], row["time"].median / 1e6))
-    for row in rows["scale"]:
+    for row in tables["scale"]:
         found["ours"].append((row["cells"], row["time"].median / 1e6))
         found["xor"].append((row["cells"], row["xor"].median / 1e6))
     return found
 
 
-def draw(rows, path):
-    """Draw the curves of the tables' rows, by key of the table, into a PNG at `path`."""
+def draw(tables):
+    """Return the Picture of the curves; tables: the rows of each table, by its name."""
     figure = Figure(figsize=SIZE_INCHES, facecolor=GROUND, layout="constrained")
     axes = figure.add_subplot(facecolor=GROUND)
-    found = curves(rows)
+    found = curves(tables)
     for key, label, colour, marker in LINES:
         points = sorted(found[key])
         if points:
@@ -42,7 +44,7 @@ def draw(rows, path):
     axes.annotate("one frame, 16 ms", (0.01, FRAME_BUDGET_MS), xycoords=("axes fraction", "data"), xytext=(0, 4),
                   textcoords="offset points", color=DIM, fontsize=9)  # fmt: skip
     _dress(axes)
-    figure.savefig(path, dpi=DOTS_PER_INCH)
+    return Picture("speed", figure, "Milliseconds per iteration against cells: the paper, peers, Sandglass, memory")
 
 
 def _dress(axes):

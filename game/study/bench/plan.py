@@ -34,7 +34,6 @@ class Plan:
     scene_size: tuple
     glass_sizes: tuple
     scale_sizes: tuple
-    thread_size: tuple
     frame_cases: tuple
     frames: int
     starts: int  # warm starts
@@ -62,7 +61,6 @@ FULL = Plan(
     scene_size=FOUR_K,
     glass_sizes=((61, 61), (240, 180), FULL_HD, FOUR_K, LARGEST),
     scale_sizes=((61, 61), (240, 180), (640, 480), FULL_HD, FOUR_K, (4096, 4096), (7680, 4320), LARGEST),
-    thread_size=FOUR_K,
     frame_cases=(
         FrameCase("hourglass", None, None, 16),
         FrameCase("paper", None, None, 16),
@@ -96,7 +94,6 @@ QUICK = Plan(
     scene_size=FULL_HD,
     glass_sizes=((61, 61), (240, 180), FULL_HD),
     scale_sizes=((61, 61), (240, 180), FULL_HD, FOUR_K),
-    thread_size=FOUR_K,
     frame_cases=GOAL_FRAMES,
     frames=100,
     starts=2,

@@ -1,13 +1,23 @@
-"""Rounds: candidates timed in turns, A B C A B C …, so that noise meets all of them alike."""
+"""Rounds: workloads timed in turns, A B C A B C …, so that noise meets all of them alike."""
 
 import statistics
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from game.study.peers.lattice import lattice
+from game.study.report.table import three_digits
+from game.world.sand.advance import advance
+
+# Iterations before the clock starts: a world in play has learned where its sand is still, a copy has to learn it anew.
+LEAD_IN = 8
 
 
 @dataclass(frozen=True)
-class Candidate:
+class Workload:
     """Something to time: `act` on a `fresh` state does `units` of work; only `act` is timed."""
 
     key: str
@@ -46,28 +56,85 @@ class Timing:
         return {"median_ns": self.median, "low_ns": self.low, "high_ns": self.high, "rounds": len(self.samples)}
 
 
-def take_turns(candidates, rounds, least_ns):
-    """Return {key: Timing} of the candidates, `rounds` rounds of samples of at least `least_ns` each.
+def take_turns(workloads, rounds, least_ns):
+    """Return {key: Timing} of the workloads, `rounds` rounds of samples of at least `least_ns` each.
 
     Two acts before them compile, warm caches and find how often a short act must be repeated to fill a sample.
     """
-    for each in candidates:
+    for each in workloads:
         _elapsed(each, 1)
-    repeats = {each.key: -(-least_ns // max(_elapsed(each, 1), 1)) for each in candidates}
-    samples = {each.key: [] for each in candidates}
+    repeats = {each.key: -(-least_ns // max(_elapsed(each, 1), 1)) for each in workloads}
+    samples = {each.key: [] for each in workloads}
     for _ in range(rounds):
-        for each in candidates:
+        for each in workloads:
             count = repeats[each.key]
             samples[each.key].append(_elapsed(each, count) / count / each.units)
     return {key: Timing(tuple(found)) for key, found in samples.items()}
 
 
-def _elapsed(candidate, repeats):
+def _elapsed(workload, repeats):
     """Return how many nanoseconds `repeats` acts take, each on a fresh state whose making is not counted."""
     total = 0
     for _ in range(repeats):
-        state = candidate.fresh()
+        state = workload.fresh()
         start = time.perf_counter_ns()
-        candidate.act(state)
+        workload.act(state)
         total += time.perf_counter_ns() - start
     return total
+
+
+def _spread(unit_ns, timing):
+    """Return a Timing in a unit of so many nanoseconds: the median, and the range over the rounds."""
+    low, high = (three_digits(each / unit_ns) for each in (timing.low, timing.high))
+    return f"{three_digits(timing.median / unit_ns)} ({low}–{high})"
+
+
+MILLISECONDS, MICROSECONDS = partial(_spread, 1e6), partial(_spread, 1e3)
+
+
+def ours(key, world, rule, batch):
+    """Return `batch` iterations in one call."""
+    return Workload(key, lambda state: advance(state, rule, batch), _in_play(world, rule), batch)
+
+
+def ours_one_by_one(key, world, rule, calls):
+    """Return `calls` calls of one iteration each."""
+
+    def act(state):
+        for _ in range(calls):
+            advance(state, rule, 1)
+
+    return Workload(key, act, _in_play(world, rule), calls)
+
+
+def _in_play(world, rule):
+    """Return what makes copies of `world` that have been running."""
+
+    def fresh():
+        state = world.copy()
+        advance(state, rule, LEAD_IN)
+        return state
+
+    return fresh
+
+
+def theirs(peer, world, rule, batch):
+    """Return `batch` iterations of a peer."""
+    cells = lattice(world)
+    return Workload(peer.key, lambda state: peer.advance(state, rule, world.iteration, batch), cells.copy, batch)
+
+
+def xor_pass(cells, passes):
+    """Return the memory's own pace: `passes` passes of numpy.bitwise_xor over as many bits as there are cells.
+
+    In place, a ^= b: it reads as many bits as there are in the planes of sand and walls, and writes as many as in those
+    of sand, which is what an iteration cannot do without.
+    """
+    one = np.arange(-(-cells // 64), dtype=np.uint64)
+    other = one * np.uint64(0x9E3779B97F4A7C15)
+
+    def act(_):
+        for _ in range(passes):
+            np.bitwise_xor(one, other, out=one)
+
+    return Workload("xor", act, units=passes)

@@ -2,11 +2,12 @@
 
 import numpy as np
 
-from game.study.bench import goals, table, worlds
-from game.study.bench.candidates import ours
+from game.study.bench import goals, worlds
 from game.study.bench.checks import same_as_twin, same_with_colours
-from game.study.bench.rounds import take_turns
-from game.study.bench.table import Column, Table
+from game.study.bench.rounds import MICROSECONDS, ours, take_turns
+from game.study.report import table
+from game.study.report.report import Section
+from game.study.report.table import Column, Table
 from game.world.sand.rule import Rule
 
 SCHEDULE = worlds.GLASS_RULE.schedule
@@ -25,12 +26,12 @@ IN_COLOURS = "{}, in colours"  # the key of a rule where every grain has a colou
 COLUMNS = (
     Column("world", "world"),
     Column("rule", "rule"),
-    Column("time", "µs per iteration", table.MICROSECONDS),
-    Column("gcells", "Gcell/s", table.figure),
+    Column("time", "µs per iteration", MICROSECONDS),
+    Column("gcells", "Gcell/s", table.three_digits),
     Column("of_certain", "of p = 1", table.ratio),
     Column("of_moving", "of all moving", table.percent),
-    Column("checked", "checked", table.whole),
-    Column("goal", "goal", goals.verdict),
+    Column("checked", "checked"),
+    goals.COLUMN,
 )
 
 
@@ -60,7 +61,7 @@ def scene_table(plan):
         f"{', '.join(map(str, RULES[SEVEN].probabilities))}, the topples the first two. p = {PAPER_P} takes one random "
         "bit for a candidate, these take up to 32.",
     ]
-    return Table("scene", "3a · What a scene needs: chance and motion", COLUMNS, rows, notes)
+    return Section("scene", "3a · What a scene needs: chance and motion", [Table("", COLUMNS, rows), *notes])
 
 
 def _row(name, kind, found, checked, size):

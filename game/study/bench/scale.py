@@ -1,10 +1,11 @@
 """Scale: the time of a cell from the smallest lattice to the largest."""
 
-from game.study.bench import goals, machine, table, worlds
-from game.study.bench.candidates import ours, xor_pass
+from game.study.bench import goals, worlds
 from game.study.bench.checks import same_as_twin
-from game.study.bench.rounds import Candidate, take_turns
-from game.study.bench.table import Column, Table
+from game.study.bench.rounds import MICROSECONDS, Workload, ours, take_turns, xor_pass
+from game.study.report import machine, table
+from game.study.report.report import Section
+from game.study.report.table import Column, Table
 from game.world.sand.advance import advance
 from game.world.sand.rule import Rule
 
@@ -12,16 +13,16 @@ REFERENCE = (1920, 1080)  # its time per cell is 1
 FLAT = 1.5  # times the reference up to which the time per cell counts as flat
 COLUMNS = (
     Column("size", "lattice", table.size),
-    Column("cells", "cells", table.whole),
-    Column("planes_mb", "planes MB", table.figure),
-    Column("batch", "in one call", table.whole),
-    Column("time", "µs per iteration", table.MICROSECONDS),
-    Column("cell_ps", "ps per cell", table.figure),
+    Column("cells", "cells"),
+    Column("planes_mb", "planes MB", table.three_digits),
+    Column("batch", "in one call"),
+    Column("time", "µs per iteration", MICROSECONDS),
+    Column("cell_ps", "ps per cell", table.three_digits),
     Column("relative", "of 1080p", table.ratio),
-    Column("gcells", "Gcell/s", table.figure),
+    Column("gcells", "Gcell/s", table.three_digits),
     Column("pace", "xor pace", table.ratio),
-    Column("checked", "checked", table.whole),
-    Column("goal", "goal", goals.verdict),
+    Column("checked", "checked"),
+    goals.COLUMN,
 )
 
 
@@ -43,14 +44,14 @@ def scale_table(plan):
         for row in rows
         if row["cells"] >= goals.LARGEST
     ]
-    return Table("scale", "4 · Scale", COLUMNS, rows, notes, planes)
+    return Section("scale", "4 · Scale", [Table("", COLUMNS, rows), *notes, *planes])
 
 
 def _row(size, plan):
     world, rule, cells = worlds.moving(size), Rule(), size[0] * size[1]
     checked = same_as_twin(world, rule, plan.checked)
     batch = worlds.moving_iterations(size, plan.batch)
-    call = Candidate("call", lambda state: advance(state, rule, 0), world.copy, batch)
+    call = Workload("call", lambda state: advance(state, rule, 0), world.copy, batch)
     found = take_turns(
         [ours("time", world, rule, batch), xor_pass(cells, batch), call], plan.rounds, plan.sample_ns // 4
     )

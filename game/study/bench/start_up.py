@@ -4,18 +4,19 @@ import statistics
 import tempfile
 import time
 
-from game.study.bench import goals, table
-from game.study.bench.processes import NoWindowError, timing
-from game.study.bench.screen import screen
-from game.study.bench.table import Column, Table
+from game.study.bench import goals
+from game.study.bench.processes import NoWindowError, screen, timing
+from game.study.report import table
+from game.study.report.report import Section
+from game.study.report.table import Column, Table
 
 MARKS = ("imported", "window", "splash", "playing")
 COLUMNS = (
     Column("name", "start"),
-    *(Column(mark, f"{mark} s", table.figure) for mark in MARKS),
-    Column("starts", "starts", table.whole),
+    *(Column(mark, f"{mark} s", table.three_digits) for mark in MARKS),
+    Column("starts", "starts"),
     Column("driver", "driver"),
-    Column("goal", "goal", goals.verdict),
+    goals.COLUMN,
 )
 
 
@@ -44,7 +45,7 @@ def start_table(plan):
             notes.append(f"left out: {error}")
     if not plan.cold:
         notes.append("The cold start is left out of a quick run.")
-    return Table("start", "7 · Start-up", COLUMNS, rows, notes, further)
+    return Section("start", "6 · Start-up", [Table("", COLUMNS, rows), *notes, *further])
 
 
 def _start(environment):

@@ -1,10 +1,11 @@
 """Table I of the paper, its five sizes, beside ours. Source: Devlin & Schuster 2020, Table I (4 GHz Core i7-6700K)."""
 
-from game.study.bench import table, worlds
-from game.study.bench.candidates import ours, ours_one_by_one, xor_pass
+from game.study.bench import worlds
 from game.study.bench.checks import same_as_twin
-from game.study.bench.rounds import take_turns
-from game.study.bench.table import Column, Table
+from game.study.bench.rounds import MILLISECONDS, ours, ours_one_by_one, take_turns, xor_pass
+from game.study.report import table
+from game.study.report.report import Section
+from game.study.report.table import Column, Table
 from game.world.sand.rule import Rule
 
 PAPER_MS = {
@@ -18,16 +19,16 @@ BASELINE = (640, 480)
 CALLS = 100  # iterations behind each mean, as in the paper
 COLUMNS = (
     Column("size", "resolution", table.size),
-    Column("cells", "cells", table.whole),
-    Column("paper_ms", "paper ms", table.figure),
-    Column("ours", "ours ms (range)", table.MILLISECONDS),
+    Column("cells", "cells"),
+    Column("paper_ms", "paper ms", table.three_digits),
+    Column("ours", "ours ms (range)", MILLISECONDS),
     Column("faster", "faster", table.ratio),
-    Column("paper_scaling", "paper scaling", table.figure),
-    Column("scaling", "our scaling", table.figure),
-    Column("batch", "in a batch ms", table.MILLISECONDS),
-    Column("gcells", "Gcell/s", table.figure),
+    Column("paper_scaling", "paper scaling", table.three_digits),
+    Column("scaling", "our scaling", table.three_digits),
+    Column("batch", "in a batch ms", MILLISECONDS),
+    Column("gcells", "Gcell/s", table.three_digits),
     Column("pace", "xor pace", table.ratio),
-    Column("checked", "checked", table.whole),
+    Column("checked", "checked"),
 )
 
 
@@ -45,7 +46,7 @@ def paper_table(plan):
         "Checked: so many iterations gave the same cells as the plain twin, all of them compared. The paper's figures "
         "are from its own machine.",
     ]
-    return Table("paper", "1 · Table I of the paper", COLUMNS, rows, notes)
+    return Section("paper", "1 · Table I of the paper", [Table("", COLUMNS, rows), *notes])
 
 
 def _row(size, plan):

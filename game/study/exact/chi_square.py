@@ -1,17 +1,17 @@
-"""Comparison of an ensemble with the chain: state by state and cell by cell."""
+"""How well an ensemble agrees with the chain: state by state and cell by cell."""
 
 from dataclasses import dataclass
 
 import numpy as np
-
-from game.study.likelihood import chi_square_tail, normal_tails, poisson_tails
+from scipy.stats import chi2, combine_pvalues, norm, poisson
 
 FEWEST = 10  # runs expected in a state that stands for itself in chi-square; rarer states are put together
 MANY = 1000  # variance of a count from which it is taken as normal; below, its rarer side is a Poisson count
+CERTAIN = 1e-6  # expected runs that rounding in the chain could make of none
 
 
 @dataclass(frozen=True)
-class Comparison:
+class Agreement:
     """How an ensemble and the chain agree at one moment."""
 
     runs: int
@@ -41,12 +41,10 @@ def compare(states, chain, chances, cells):
         rest, rest_expected = 0, 0.0
     degrees = max(len(seen) - 1, 0)
     chi_square = float(((seen - wanted) ** 2 / wanted).sum()) if degrees else 0.0
-    p_value = chi_square_tail(chi_square, degrees) if degrees else 1.0
+    p_value = float(chi2.sf(chi_square, degrees)) if degrees else 1.0
     places = (chain.states[:, None] >> np.arange(cells, dtype=np.uint64)) & np.uint64(1)
-    found = [_cell(*each, runs) for each in zip(counts @ places.astype(int), chances @ places, strict=True)]
-    return Comparison(
-        runs, outside, chi_square, degrees, p_value, rest, rest_expected, [p for p in found if p is not None]
-    )
+    cell_values = _cell_p_values(counts @ places.astype(int), chances @ places, runs)
+    return Agreement(runs, outside, chi_square, degrees, p_value, rest, rest_expected, cell_values)
 
 
 def _count(states, known):
@@ -59,14 +57,24 @@ def _count(states, known):
     return counts, int((~right).sum())
 
 
-def _cell(count, density, runs):
-    """Return the p-value of a cell's count, or None where the chain leaves it no choice and it is right."""
-    if density > 0.5:
-        count, density = runs - count, 1.0 - density
-    mean = runs * density
-    if mean < 1e-6:  # what the chain's own rounding could make of 0
-        return None if count == 0 else 0.0
-    variance = mean * (1.0 - density)
-    if variance < MANY:
-        return poisson_tails(count, mean)
-    return normal_tails((count - mean) / np.sqrt(variance))
+def _cell_p_values(counts, densities, runs):
+    """Return the p-values of the counts of cells, without those where the chain leaves no choice and they are right."""
+    full = densities > 0.5
+    counts, densities = np.where(full, runs - counts, counts), np.where(full, 1.0 - densities, densities)
+    means = runs * densities
+    variances = means * (1.0 - densities)
+    deviations = (counts - means) / np.sqrt(np.maximum(variances, MANY))
+    p_values = np.where(variances < MANY, poisson_p_value(counts, means), 2 * norm.sf(abs(deviations)))
+    certain = means < CERTAIN
+    p_values[certain] = 0.0
+    return p_values[~certain | (counts > 0)].tolist()
+
+
+def poisson_p_value(count, mean):
+    """Return twice the probability of a Poisson count at least as far off `mean` on its side, at most 1."""
+    return np.minimum(1.0, 2 * np.minimum(poisson.sf(count - 1, mean), poisson.cdf(count, mean)))
+
+
+def smallest_of(p_values):
+    """Return how likely it is that the smallest of so many independent p-values is as small as this one (Tippett)."""
+    return combine_pvalues(p_values, method="tippett").pvalue

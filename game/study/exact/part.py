@@ -3,14 +3,17 @@
 import os
 from concurrent.futures import ThreadPoolExecutor
 
+from scipy.stats import kstest
+
 from game.study.exact import randomness
+from game.study.exact.chi_square import smallest_of
 from game.study.exact.lattices import LATTICES
 from game.study.exact.markov_chain import SCHEDULES
 from game.study.exact.trials import PATHS, PROBABILITIES, trials
-from game.study.likelihood import smallest_of, uniform_tail
-from game.study.report import verdict
+from game.study.report import report
 from game.study.report.drawing import figure
-from game.study.report.report import Picture, Table
+from game.study.report.report import Picture
+from game.study.report.table import Table
 
 TITLE = "1. Exact"
 QUICK_RUNS = 100_000
@@ -36,7 +39,7 @@ def run(study):
         yield from _path_rows(name, outcomes)
     p_values = [each.p_value for each in outcomes if each.degrees]
     quantity = f"evenness of all {len(p_values)} p-values of chi-square (Kolmogorov-Smirnov)"
-    yield verdict.likely(quantity, uniform_tail(p_values), CHAIN)
+    yield report.likely(quantity, kstest(p_values, "uniform").pvalue, CHAIN)
     for name in PROBABILITIES:
         yield from _rule_rows(name, [each for each in outcomes if each.trial.probabilities == name])
     yield _least_likely(outcomes)
@@ -52,46 +55,46 @@ def _lattices(reach):
         states = (reach.get((name, schedule, False), "") for schedule in SCHEDULES)
         rows.append((name, len(cells), cells.count("o"), *states))
     heads = ("lattice", "cells", "grains", *(f"states, {schedule}" for schedule in SCHEDULES))
-    return Table("The lattices, and how many states each can reach.", heads, rows)
+    return Table.of("The lattices, and how many states each can reach.", heads, rows)
 
 
 def _path_rows(name, outcomes):
     """Yield the rows on one path through the kernels."""
     words, outcomes = PATHS[name].words, [each for each in outcomes if each.trial.path == name]
-    runs, outside = (sum(getattr(each.comparison, field) for each in outcomes) for field in ("runs", "outside"))
+    runs, outside = (sum(getattr(each.agreement, field) for each in outcomes) for field in ("runs", "outside"))
     p_values = [each.p_value for each in outcomes if each.degrees]
-    cells = [p for each in outcomes for p in each.comparison.cells]
+    cells = [p for each in outcomes for p in each.agreement.cells]
     quantity = f"{words}: runs out of the chain's reach, of {runs:,} in {len(outcomes)} ensembles"
-    yield verdict.same(quantity, outside, 0, CHAIN)
-    yield verdict.likely(f"{words}: smallest p-value of chi-square, of {len(p_values)}", smallest_of(p_values), CHAIN)
-    yield verdict.likely(f"{words}: smallest p-value of a cell, of {len(cells):,}", smallest_of(cells), CHAIN)
+    yield report.same(quantity, outside, 0, CHAIN)
+    yield report.likely(f"{words}: smallest p-value of chi-square, of {len(p_values)}", smallest_of(p_values), CHAIN)
+    yield report.likely(f"{words}: smallest p-value of a cell, of {len(cells):,}", smallest_of(cells), CHAIN)
 
 
 def _rule_rows(name, outcomes):
     """Yield chi-square per degree of freedom for one rule, how many runs went a rare way, or that none had a choice."""
-    comparisons = [each.comparison for each in outcomes]
-    degrees = sum(each.degrees for each in comparisons)
+    agreements = [each.agreement for each in outcomes]
+    degrees = sum(each.degrees for each in agreements)
     if degrees:
-        chi_square = sum(each.chi_square for each in comparisons)
+        chi_square = sum(each.chi_square for each in agreements)
         error = (2 / degrees) ** 0.5
-        yield verdict.close(f"{name}: chi-square per degree of freedom", chi_square / degrees, error, 1.0, CHAIN)
-    rare = sum(each.rare_expected for each in comparisons)
+        yield report.close(f"{name}: chi-square per degree of freedom", chi_square / degrees, error, 1.0, CHAIN)
+    rare = sum(each.rare_expected for each in agreements)
     if rare:
-        seen = sum(each.rare for each in comparisons)
-        yield verdict.close(f"{name}: runs in the rarest states", seen, rare**0.5, rare, CHAIN)
+        seen = sum(each.rare for each in agreements)
+        yield report.close(f"{name}: runs in the rarest states", seen, rare**0.5, rare, CHAIN)
     if not degrees and not rare:
-        runs, outside = (sum(getattr(each, field) for each in comparisons) for field in ("runs", "outside"))
-        yield verdict.same(f"{name}: runs in the one state possible", runs - outside, runs, CHAIN)
+        runs, outside = (sum(getattr(each, field) for each in agreements) for field in ("runs", "outside"))
+        yield report.same(f"{name}: runs in the one state possible", runs - outside, runs, CHAIN)
 
 
 def _least_likely(outcomes):
     rows = []
     for each in sorted((each for each in outcomes if each.degrees), key=lambda each: each.p_value)[:WORST]:
-        trial, found = each.trial, each.comparison
+        trial, found = each.trial, each.agreement
         names = trial.path, trial.lattice, trial.schedule, trial.probabilities
         rows.append((*names, each.iterations, found.chi_square, found.degrees, found.p_value))
     heads = ("path", "lattice", "schedule", "rule", "iterations", "chi-square", "degrees of freedom", "p-value")
-    return Table("The least likely ensembles.", heads, rows)
+    return Table.of("The least likely ensembles.", heads, rows)
 
 
 def _drawing(outcomes):

@@ -6,6 +6,7 @@ import numpy as np
 
 from game import Rule
 from game.core.chance import CERTAIN, threshold
+from game.study.exact.chi_square import poisson_p_value, smallest_of
 from game.study.exact.topple_fields import (
     count_standing,
     count_toppled,
@@ -15,8 +16,7 @@ from game.study.exact.topple_fields import (
     posts,
     toppled,
 )
-from game.study.likelihood import poisson_tails, smallest_of
-from game.study.report import verdict
+from game.study.report import report
 from game.world.sand.ensemble import states_at
 
 SEED = 20
@@ -40,7 +40,7 @@ def _correlation(first, second):
 
 
 def _row(words, first, second):
-    return verdict.close(f"correlation of random bits: {words}", *_correlation(first, second), 0.0, FAIR)
+    return report.close(f"correlation of random bits: {words}", *_correlation(first, second), 0.0, FAIR)
 
 
 def _bits(study):
@@ -84,13 +84,13 @@ def _probabilities(study):
             p = 2.0**-k if sign > 0 else 1.0 - 2.0**-k
             trials = study.either(10**8, 10**9 if k < 30 else 2 * 10**10)
             seen, expected, trials = count(start, p, trials, SEED + k)
-            p_values.append(poisson_tails(seen, expected))
+            p_values.append(poisson_p_value(seen, expected))
             if k in (8, 16, 24, 32):
                 error = max(expected, 1.0) ** 0.5
                 quantity = f"p = {words.replace('k', str(k))}: rare outcomes in {trials:,} trials"
-                yield verdict.close(quantity, seen, error, expected, BINOMIAL)
+                yield report.close(quantity, seen, error, expected, BINOMIAL)
         quantity = f"p = {words}, k = {exponents[0]} … {exponents[-1]}: smallest p-value of {len(exponents)}"
-        yield verdict.likely(quantity, smallest_of(p_values), BINOMIAL)
+        yield report.likely(quantity, smallest_of(p_values), BINOMIAL)
 
 
 def _replica_probabilities(runs):
@@ -98,7 +98,7 @@ def _replica_probabilities(runs):
     for k in (8, 16, 20):
         seen, expected, trials = count_toppled_replicas(2.0**-k, runs, 100, SEED + k)
         quantity = f"p = 2^−{k}: rare outcomes in {trials:,} trials of an ensemble"
-        yield verdict.close(quantity, seen, max(expected, 1.0) ** 0.5, expected, BINOMIAL)
+        yield report.close(quantity, seen, max(expected, 1.0) ** 0.5, expected, BINOMIAL)
 
 
 def _thresholds():
@@ -106,6 +106,4 @@ def _thresholds():
     p = np.concatenate([generator.random(10**4), generator.random(10**4) * 2.0**-20, 2.0 ** -np.arange(1, 33)])
     furthest = max(abs(threshold(each) / CERTAIN - each) for each in np.concatenate([p, 1.0 - p]))
     source = "by construction: rounded to the nearest 2⁻³²"
-    return verdict.within(
-        "largest error of a probability, in units of 2⁻³²", furthest * CERTAIN, None, 0.0, 0.5, source
-    )
+    return report.within("largest error of a probability, in units of 2⁻³²", furthest * CERTAIN, None, 0.0, 0.5, source)

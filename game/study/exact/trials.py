@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game import Rule
-from game.study.exact.chi_square import Comparison, compare
+from game.study.exact.chi_square import Agreement, compare
 from game.study.exact.lattices import LATTICES
 from game.study.exact.markov_chain import SCHEDULES, explore
 from game.study.exact.tiled_worlds import sand_and_walls, stacked_states, tiled_states
@@ -33,7 +33,7 @@ def _replica_states(rows, rule, iterations, runs, seed):
 
 
 @dataclass(frozen=True)
-class Path:
+class KernelPath:
     """A way through the kernels from a lattice to the states of an ensemble."""
 
     words: str
@@ -43,9 +43,9 @@ class Path:
 
 
 PATHS = {
-    "replicas": Path("ensemble kernel", _replica_states, False, 10**6),
-    "tiled": Path("kernel of the toy, copies side by side in wide worlds", tiled_states, True, 10**6),
-    "stacked": Path("kernel of the toy, copies in single stacks", stacked_states, False, 250_000),
+    "replicas": KernelPath("ensemble kernel", _replica_states, False, 10**6),
+    "tiled": KernelPath("kernel of the toy, copies side by side in wide worlds", tiled_states, True, 10**6),
+    "stacked": KernelPath("kernel of the toy, copies in single stacks", stacked_states, False, 250_000),
 }
 
 
@@ -82,18 +82,18 @@ class Outcome(NamedTuple):
     """What became of a trial."""
 
     trial: Trial
-    iterations: int  # the moment of the comparison
-    comparison: Comparison
+    iterations: int  # after which they were compared
+    agreement: Agreement
 
     @property
     def degrees(self):
         """Degrees of freedom of chi-square, 0 if the outcome was certain."""
-        return self.comparison.degrees
+        return self.agreement.degrees
 
     @property
     def p_value(self):
         """Of chi-square."""
-        return self.comparison.p_value
+        return self.agreement.p_value
 
 
 def trials(everything):

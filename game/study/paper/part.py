@@ -5,12 +5,12 @@ from itertools import pairwise
 import numpy as np
 
 from game import Rule, advance, load_scene
-from game.study import scaling
 from game.study.paper import settling, sticking
-from game.study.report import verdict
-from game.study.report.maps import densities, lattices
-from game.study.report.report import Picture, Table
+from game.study.report import report
+from game.study.report.drawing import densities, lattices
+from game.study.report.report import Picture
 from game.study.report.statistics import Sample, shape_of
+from game.study.report.table import Table
 from game.world.sand.ensemble import density
 
 TITLE = "2. The paper"
@@ -44,7 +44,6 @@ def run(study):
     yield from _maps(study, scene)
     yield from settling.rows(study)
     yield from sticking.rows()
-    yield from scaling.rows(study)
     yield READING
 
 
@@ -60,7 +59,7 @@ def _deterministic(scene):
         "The deterministic hourglass, p = 1 (the paper's third figure).",
     )
     differing = sum(int((world.sand != worlds[0].sand).sum()) for world in worlds)
-    yield verdict.same(
+    yield report.same(
         f"cells that differ between 5 seeds at p = 1, t = {TIMES[-1]}", differing, 0, "the paper: p = 1 repeats exactly"
     )
     chance = [scene.world(seed) for seed in range(2)]
@@ -68,7 +67,7 @@ def _deterministic(scene):
         advance(world, Rule.with_p(0.75), MOMENT)
     differing = int((chance[0].sand != chance[1].sand).sum())
     quantity = f"cells that differ between 2 seeds at p = 0.75, t = {MOMENT}"
-    yield verdict.within(quantity, differing, None, 1, np.inf, "chance decides")
+    yield report.within(quantity, differing, None, 1, np.inf, "chance decides")
 
 
 def _maps(study, scene):
@@ -90,13 +89,13 @@ def _density(scene, p, seed):
 def _shape_rows(shapes):
     heads = "p", "contour's height", "contour's width", "mean height of a grain", "spread of grains sideways"
     rows = [(f"{p:g}", *shape.mean) for p, shape in shapes.items()]
-    yield Table(
+    yield Table.of(
         f"The pile after {MOMENT} iterations, in cells; the contour is where the density is one half.", heads, rows
     )
     for low, high in pairwise(PROBABILITIES):
         change, error = shapes[low].minus(shapes[high])
         where = f"from p = {high:g} to {low:g}, cells"
-        yield verdict.claimed(f"pile's contour grows in height {where}", change[0], error[0], 0, np.inf, CLAIM)
-        yield verdict.claimed(f"pile's contour grows in width {where}", change[1], error[1], -np.inf, 0, CLAIM)
-        yield verdict.claimed(f"grains lie higher on average {where}", change[2], error[2], 0, np.inf, CLAIM)
-        yield verdict.claimed(f"grains spread wider sideways {where}", change[3], error[3], -np.inf, 0, CLAIM)
+        yield report.claimed(f"pile's contour grows in height {where}", change[0], error[0], 0, np.inf, CLAIM)
+        yield report.claimed(f"pile's contour grows in width {where}", change[1], error[1], -np.inf, 0, CLAIM)
+        yield report.claimed(f"grains lie higher on average {where}", change[2], error[2], 0, np.inf, CLAIM)
+        yield report.claimed(f"grains spread wider sideways {where}", change[3], error[3], -np.inf, 0, CLAIM)

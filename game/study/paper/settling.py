@@ -3,9 +3,9 @@
 import numpy as np
 
 from game import Rule, World, advance
-from game.study.report import verdict
-from game.study.report.report import Table
+from game.study.report import report
 from game.study.report.statistics import Sample
+from game.study.report.table import Table
 from game.world.sand.measure import pile_heights, slope_degrees
 
 GRAINS = 120  # in the column
@@ -27,12 +27,12 @@ def rows(study):
         "the angle of the pile at rest depends on p; if it is a viscosity, only the time does: a part for the fall, "
         "and a part that goes with 1/p."
     )
-    yield Table(f"A column of {GRAINS} grains on a floor, the paper's schedule.", heads, table)
+    yield Table.of(f"A column of {GRAINS} grains on a floor, the paper's schedule.", heads, table)
     for low, high in ((LOW, MIDDLE), (MIDDLE, HIGH)):
         exponent, error = _exponent(found, low, high)
         quantity = f"exponent of the settling time in p, from {low:g} to {high:g}"
         claim = (-1.0, HALF, FLUID) if high == MIDDLE else (HALF, 0.0, GRAINY)
-        yield verdict.claimed(quantity, exponent, error, *claim)
+        yield report.claimed(quantity, exponent, error, *claim)
 
 
 def _exponent(found, low, high):

@@ -1,10 +1,10 @@
-"""Neighbourhoods: what sticks to slopes, and which side of a pile is built first, schedule by schedule."""
+"""Sticking: what sticks to slopes, and which side of a pile is built first, schedule by schedule."""
 
 import numpy as np
 
 from game import Rule, World, advance
-from game.study.report import verdict
-from game.study.report.report import Table
+from game.study.report import report
+from game.study.report.table import Table
 from game.world.sand.rule import SCHEDULES
 from game.world.scenes.hourglass import hourglass
 
@@ -56,24 +56,26 @@ def rows():
     surplus = {(name, right): lopsided(name, 1.0, right) for name in SCHEDULES for right in (0, 1)}
     heads = "schedule", "glass moved right by", "stuck left", "stuck right", "largest surplus on one side (right +)"
     table = [(name, right, *found[name, right], surplus[name, right]) for name, right in found]
-    yield Table(f"The paper's glass at p = 1: what is left in the upper bulb after {LONG:,} iterations.", heads, table)
+    yield Table.of(
+        f"The paper's glass at p = 1: what is left in the upper bulb after {LONG:,} iterations.", heads, table
+    )
     yield from _sticking(found)
     for name in SCHEDULES:
         most = max(abs(surplus[name, right]) for right in (0, 1))
         quantity = f"largest surplus of grains on one side of the pile, {name}, p = 1"
         if name in CLAIMS:
-            yield verdict.claimed(quantity, most, None, CLEAR, np.inf, CLAIMS[name])
+            yield report.claimed(quantity, most, None, CLEAR, np.inf, CLAIMS[name])
         else:
-            yield verdict.within(quantity, most, None, 0, 1, MIRRORED)
+            yield report.within(quantity, most, None, 0, 1, MIRRORED)
 
 
 def _sticking(found):
     for right in (0, 1):
         left_slope, right_slope = found["margolus", right]
         where = f"margolus, glass moved right by {right}"
-        yield verdict.claimed(f"grains stuck on the left slope, {where}", left_slope, None, 1, np.inf, SLOPES)
+        yield report.claimed(f"grains stuck on the left slope, {where}", left_slope, None, 1, np.inf, SLOPES)
         holds = min(left_slope, right_slope) == 0 < max(left_slope, right_slope)
-        yield verdict.same(f"grains stick on one of the two slopes only, {where}", holds, True, PARITY)
+        yield report.same(f"grains stick on one of the two slopes only, {where}", holds, True, PARITY)
     for name in ("paper", "balanced"):
         left = sum(sum(found[name, right]) for right in (0, 1))
-        yield verdict.same(f"grains stuck on either slope, {name}", left, 0, ALL_FOUR)
+        yield report.same(f"grains stuck on either slope, {name}", left, 0, ALL_FOUR)

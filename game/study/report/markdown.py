@@ -1,101 +1,81 @@
-"""Writers: a report as Markdown and JSON, and its pictures as PNG."""
+"""Writing: a report as pages of Markdown with their pictures, and as JSON."""
 
 import json
 from math import isfinite
 
-from game.study.report.headlines import HEADLINES
-from game.study.report.numerals import measurement, number
-from game.study.report.report import VERDICTS, Picture, Row, Table
+from game.study.report.report import Picture, Row, blocks
+from game.study.report.table import Table
 
-HEADS = ("quantity", "measured", "expected", "source", "verdict")
-DPI = 120
+DOTS_PER_INCH = 120
 
 
-def write(report, folder):
-    """Write study.md, summary.md, study.json and the pictures into `folder`, made if need be; return the first."""
-    folder.mkdir(parents=True, exist_ok=True)
-    for section in report.sections:
-        for item in section.items:
-            if isinstance(item, Picture):
-                item.figure.savefig(folder / f"{item.name}.png", dpi=DPI)
-    (folder / "study.json").write_text(json.dumps(_plain(as_dict(report)), indent=1) + "\n", encoding="utf-8")
-    (folder / "summary.md").write_text(summary(report), encoding="utf-8")
-    path = folder / "study.md"
-    path.write_text(markdown(report), encoding="utf-8")
-    return path
+def write(report, pages, folder):
+    """Write the pages ({file name: items}), the pictures on them and the report as JSON into a folder."""
+    pictures = {}
+    for name, items in pages.items():
+        (folder / name).write_text(page(report, items), encoding="utf-8")
+        pictures |= {item.name: item.figure for item in items if isinstance(item, Picture)}
+    for name, figure in pictures.items():
+        figure.savefig(folder / f"{name}.png", dpi=DOTS_PER_INCH)
+    text = json.dumps(as_dict(report), indent=1)
+    (folder / f"{report.name}.json").write_text(f"{text}\n", encoding="utf-8")
 
 
-def markdown(report):
-    """Return the report as Markdown."""
-    verdicts = ", ".join(f"{count} {verdict}" for verdict, count in report.verdicts.items())
-    about = "; ".join(f"{name}: {value}" for name, value in report.about.items())
-    parts = ["# Sandglass study", f"{about}.", f"Verdicts: {verdicts}."]
-    for section in report.sections:
-        parts += [f"## {section.title}", *_blocks(section.items)]
-    return "\n\n".join(parts) + "\n"
+def page(report, items):
+    """Return a page of Markdown: title, date and machine, the command that makes it again, and the items."""
+    extent = "quick" if report.quick else "full"
+    head = (
+        f"# {report.title}",
+        f"Measured on {report.date}, {extent} run; {report.machine}.",
+        f"Made by `{report.command}`; the same command makes it again.",
+    )
+    return "\n\n".join([*head, *map(_block, blocks(items))]) + "\n"
 
 
-def summary(report):
-    """Return the README's table: how many rows of each part have which verdict, and the HEADLINES among them."""
-    counts = [(section.title, *(str(n) for n in section.verdicts.values())) for section in report.sections]
-    rows = [cells(row) for row in report.rows if row.quantity in HEADLINES]
-    return "\n\n".join([_table(("part", *VERDICTS), counts), _table(HEADS, rows)]) + "\n"
+def _block(item):
+    if isinstance(item, Table):
+        return "\n\n".join(filter(None, (item.caption, _table(item))))
+    if isinstance(item, Picture):
+        return f"![{item.caption}]({item.name}.png)\n\n{item.caption}"
+    return str(item)
 
 
-def cells(row):
-    """Return a row's columns as text, in the order of HEADS."""
-    return row.quantity, measurement(row.measured, row.error), number(row.expected), row.source, row.verdict
-
-
-def _blocks(items):
-    """Yield the Markdown of items; rows that follow each other share a table."""
-    rows = []
-    for item in [*items, None]:
-        if isinstance(item, Row):
-            rows.append(cells(item))
-            continue
-        if rows:
-            yield _table(HEADS, rows)
-            rows = []
-        if isinstance(item, Table):
-            yield item.caption
-            yield _table(item.heads, [[number(each) for each in row] for row in item.rows])
-        elif isinstance(item, Picture):
-            yield f"![{item.caption}]({item.name}.png)\n\n{item.caption}"
-        elif item is not None:
-            yield item
-
-
-def _table(heads, rows):
-    lines = [heads, ["---"] * len(heads), *rows]
+def _table(table):
+    heads = [each.heading for each in table.columns]
+    sides = ["---:" if of_figures else ":---" for of_figures in table.columns_of_figures()]
+    lines = [heads, sides, *table.cells()]
     return "\n".join("| " + " | ".join(each.replace("|", "\\|") for each in line) + " |" for line in lines)
 
 
 def as_dict(report):
-    """Return the report as dicts and lists, each row by the names of its fields."""
+    """Return the report as dicts and lists that JSON knows, each row by the names of its fields."""
     return {
-        "about": report.about,
-        "verdicts": report.verdicts,
-        "sections": [
-            {
-                "name": section.name,
-                "title": section.title,
-                "seconds": round(section.seconds, 2),
-                "rows": [vars(row) for row in section.rows],
-                "tables": [vars(item) for item in section.items if isinstance(item, Table)],
-                "pictures": [
-                    {"file": f"{item.name}.png", "caption": item.caption}
-                    for item in section.items
-                    if isinstance(item, Picture)
-                ],
-            }
-            for section in report.sections
-        ],
+        "date": report.date,
+        "machine": report.machine,
+        "quick": report.quick,
+        "seconds": round(sum(section.seconds for section in report.sections), 2),
+        "sections": [_section_as_dict(section) for section in report.sections],
+    }
+
+
+def _section_as_dict(section):
+    pictures = [item for item in section.items if isinstance(item, Picture)]
+    notes = [str(item) for item in section.items if not isinstance(item, Row | Table | Picture)]
+    return {
+        "name": section.name,
+        "title": section.title,
+        "seconds": round(section.seconds, 2),
+        "rows": [_plain(vars(row)) for row in section.rows],
+        "tables": [{"caption": table.caption, "rows": _plain(table.rows)} for table in section.tables],
+        "pictures": [{"file": f"{each.name}.png", "caption": each.caption} for each in pictures],
+        "notes": notes,
     }
 
 
 def _plain(value):
     """Return `value` as what JSON knows: numpy's numbers as Python's, infinity and NaN as words."""
+    if hasattr(value, "as_dict"):
+        value = value.as_dict()
     if isinstance(value, dict):
         return {name: _plain(each) for name, each in value.items()}
     if isinstance(value, list | tuple):

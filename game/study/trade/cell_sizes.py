@@ -1,4 +1,4 @@
-"""Pixels: the same glass on the screen, drawn with cells of different sizes."""
+"""Sizes of cells: the same glass on the screen, drawn with cells of different sizes."""
 
 import time
 from dataclasses import dataclass
@@ -20,7 +20,7 @@ SERIES = "pixels to a cell"
 
 
 @dataclass(frozen=True)
-class Drain:
+class DrainedGlass:
     """A glass that has run out, and how it looked half way."""
 
     cell: int  # pixels
@@ -54,7 +54,7 @@ def drain(cell, seed):
         advance(world, RULE, step)
         seconds += time.perf_counter() - begin
     profile = np.repeat(half[1] * float(cell), cell).reshape(-1, GRID).mean(axis=1)
-    return Drain(cell, grains, world.iteration, seconds, half[0], profile)
+    return DrainedGlass(cell, grains, world.iteration, seconds, half[0], profile)
 
 
 def seen(sand, cell):
@@ -64,7 +64,7 @@ def seen(sand, cell):
 
 
 def drains(study):
-    """Return {pixels to a cell: [Drain, …]} over a few seeds."""
+    """Return {pixels to a cell: [DrainedGlass, …]} over a few seeds."""
     seeds = range(study.either(2, 8))
     return {cell: [drain(cell, seed) for seed in seeds] for cell in study.track(CELLS, "pixels to a cell")}
 

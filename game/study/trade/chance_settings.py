@@ -19,16 +19,16 @@ CHUNK = 20  # runs with one source before the next has its turn
 BITS_SERIES, SOURCE_SERIES, RUN_SERIES = "bits of p", "source of random bits", "runs of a forecast"
 
 
-class Bench:
+class Reference:
     """The paper's glass under balanced, and its density map from very many runs of the exact kernel."""
 
     def __init__(self, study):
         scene = load_scene("paper")
         self.sand, self.walls = scene.sand, scene.walls
-        self.runs, self.reference_runs = study.either(2**16, 2**21), study.either(2**18, 2**23)
+        self.runs_compared, self.runs = study.either(2**16, 2**21), study.either(2**18, 2**23)
         self.cheap_runs = study.either(500, 30_000)
         self.rule = Rule.with_p(P, "balanced")
-        self.reference = self.density(P, self.reference_runs, seed=1)
+        self.map = self.density(P, self.runs, seed=1)
 
     def density(self, p, runs, seed):
         """Return the density map at probability p."""
@@ -36,7 +36,7 @@ class Bench:
 
     def floor(self, runs):
         """Return the statistical floor of a map of so many runs held against the reference."""
-        return floor_of(self.reference, runs, self.reference_runs)
+        return floor_of(self.map, runs, self.runs)
 
 
 def shortened(p, bits):
@@ -44,15 +44,15 @@ def shortened(p, bits):
     return round(p * 2**bits) / 2**bits
 
 
-def bits_points(study, bench):
+def bits_points(study, reference):
     """Return the Points of p rounded to fewer bits, the largest number of bits being the default."""
     costs = _costs_of_bits()
     points = []
     for bits in study.track(BITS, "bits of p"):
-        found = bench.density(shortened(P, bits), bench.runs, seed=100 + bits)
+        found = reference.density(shortened(P, bits), reference.runs_compared, seed=100 + bits)
         setting = f"{bits} (p = {shortened(P, bits):.6g})" if bits < 24 else str(bits)
-        floor, cost = bench.floor(bench.runs), costs[bits]
-        points.append(point(BITS_SERIES, setting, found, bench.reference, floor, cost, bits == BITS[-1]))
+        floor, cost = reference.floor(reference.runs_compared), costs[bits]
+        points.append(point(BITS_SERIES, setting, found, reference.map, floor, cost, bits == BITS[-1]))
     return points, costs[None]
 
 
@@ -75,32 +75,32 @@ def ratio(times, others):
     return float(np.median(np.divide(times, others)))
 
 
-def source_points(study, bench):
+def source_points(study, reference):
     """Return (Points of the sources, {source: scatter of the surplus of grains on one side, in grains})."""
-    chunks = bench.cheap_runs // CHUNK
+    chunks = reference.cheap_runs // CHUNK
     times, found = {words: [] for words in SOURCES}, {words: [] for words in SOURCES}
-    run_cheaply(bench.sand, bench.walls, P, bench.rule.offsets, 1, 1, FRESH, 0)  # compiles
+    glass = reference.sand, reference.walls, P, reference.rule.offsets
+    run_cheaply(*glass, 1, 1, FRESH, 0)  # compiles
     for number in study.track(range(chunks), "sources of random bits"):
         for words, source in SOURCES.items():
             begin = time.perf_counter()
-            one = run_cheaply(bench.sand, bench.walls, P, bench.rule.offsets, MOMENT, CHUNK, source, 300 + number)
+            found[words].append(run_cheaply(*glass, MOMENT, CHUNK, source, 300 + number))
             times[words].append(time.perf_counter() - begin)
-            found[words].append(one)
     fresh = next(iter(SOURCES))
-    points, scatter, floor = [], {}, bench.floor(bench.cheap_runs)
+    points, scatter, floor = [], {}, reference.floor(reference.cheap_runs)
     for words, each in found.items():
-        density = sum(counts for counts, _ in each) / bench.cheap_runs
+        density = sum(counts for counts, _ in each) / reference.cheap_runs
         cost, scatter[words] = ratio(times[words], times[fresh]), float(np.concatenate([s for _, s in each]).std())
-        points.append(point(SOURCE_SERIES, words, density, bench.reference, floor, cost, words == fresh))
+        points.append(point(SOURCE_SERIES, words, density, reference.map, floor, cost, words == fresh))
     return points, scatter
 
 
-def run_points(study, bench):
+def run_points(study, reference):
     """Return the Points of forecasts from fewer and more runs than the default."""
     times, maps = dict.fromkeys(RUN_NUMBERS, np.inf), {}
     for runs in study.track(RUN_NUMBERS * 3, "runs"):
         begin = time.perf_counter()
-        maps[runs] = bench.density(P, runs, seed=4)
+        maps[runs] = reference.density(P, runs, seed=4)
         times[runs] = min(times[runs], time.perf_counter() - begin)
     default = RUNS.default
     return [
@@ -108,8 +108,8 @@ def run_points(study, bench):
             RUN_SERIES,
             f"{runs:,}",
             found,
-            bench.reference,
-            bench.floor(runs),
+            reference.map,
+            reference.floor(runs),
             times[runs] / times[default],
             runs == default,
         )

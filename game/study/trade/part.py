@@ -1,11 +1,14 @@
 """Part 3, speed against error: what a scene can save, and what that does to the density map."""
 
+import time
+
 import numpy as np
 
-from game.study.report import verdict
+from game import Rule, advance, load_scene
+from game.study.report import report
 from game.study.report.drawing import figure
-from game.study.report.report import Picture, Table
-from game.study.trade import shortcuts
+from game.study.report.report import Picture
+from game.study.report.table import Table
 from game.study.trade.cell_sizes import CELLS, SERIES, drains, pixel_points, pixel_table
 from game.study.trade.chance_settings import (
     BITS,
@@ -13,13 +16,15 @@ from game.study.trade.chance_settings import (
     MOMENT,
     RUN_SERIES,
     SOURCE_SERIES,
-    Bench,
     P,
+    Reference,
     bits_points,
+    ratio,
     run_points,
     shortened,
     source_points,
 )
+from game.world.sand.ensemble import counts_at
 
 TITLE = "3. Speed against error"
 # Standard deviation, over 100 seeds, of an rms that is chance alone, in floors: the few uncertain cells hang together.
@@ -31,6 +36,12 @@ COLOURS = {BITS_SERIES: "#b5761f", SOURCE_SERIES: "#a33d3d", RUN_SERIES: "#2f6f8
 SPANS = {BITS_SERIES: (0.4, 6), SOURCE_SERIES: (0.4, 6), RUN_SERIES: (0.005, 80), SERIES: (0.005, 80)}
 TICKS = {0.4: (0.5, 1, 2, 5), 0.005: (0.01, 0.1, 1, 10)}  # by the lower end of a span
 GREY = "#8a7f70"
+TOTAL = 960  # iterations, played in …
+BATCHES = (1, 4, 16, 960)  # … so many to a frame
+DEFAULT_BATCH = 4  # at 240 iterations per second and 60 frames
+ROUNDS = 9
+PLACE_AND_TIME = "chance depends on place and time alone"
+MANY_RUNS = 2**24 + 1000  # more than float32 can count
 HEADS = "setting", "value", "rms error", "largest error", "grains misplaced", "floor of the rms", "cost"
 
 
@@ -49,25 +60,26 @@ READING = (
 
 def run(study):
     """Yield the rows, tables and the picture of this part."""
-    bench = Bench(study)
+    reference = Reference(study)
     yield (
         f"The map is the chance of sand in each cell of the paper's glass (528 grains) at t = {MOMENT}, p = {P:g}, "
-        f"balanced; errors are in percentage points of that chance, against {bench.reference_runs:,} runs of the exact "
+        f"balanced; errors are in percentage points of that chance, against {reference.runs:,} runs of the exact "
         "kernel. For pixels to a cell it is the share of sand in squares of 16×16 pixels when half has run through, "
         "against one pixel to a cell. The floor is what chance alone gives. Cost is time as a multiple of the default "
         "(*), measured in this run."
     )
-    bits, certain = bits_points(study, bench)
-    sources, scatter = source_points(study, bench)
+    bits, certain = bits_points(study, reference)
+    sources, scatter = source_points(study, reference)
     found = drains(study)
-    points = [*bits, *sources, *run_points(study, bench), *pixel_points(found)]
-    yield Table("Error and cost of each setting.", HEADS, [_cells(each) for each in points])
+    points = [*bits, *sources, *run_points(study, reference), *pixel_points(found)]
+    yield Table.of("Error and cost of each setting.", HEADS, [_cells(each) for each in points])
     caption = "Error of the density map against cost; ringed: the defaults. Dashed: the statistical floor of a series."
     yield Picture("trade", drawn(points), caption)
     yield from _bits_rows(bits, certain)
     yield from _source_rows(sources, scatter)
     yield from _pixel_rows(found)
-    yield from shortcuts.rows()
+    yield from _batches()
+    yield _exact_count()
     yield READING
 
 
@@ -79,31 +91,57 @@ def _cells(each):
 def _bits_rows(points, certain):
     for each in points[-3:]:
         quantity = f"rms error in floors, bits of p: {each.setting}"
-        yield verdict.close(quantity, each.rms / each.floor, SCATTER, 1.0, BELOW)
+        yield report.close(quantity, each.rms / each.floor, SCATTER, 1.0, BELOW)
     six = points[BITS.index(6)]
     hundredths = 100 * abs(shortened(P, 6) - P)
     quantity = "rms error for a hundredth of p, from 6 bits, percentage points"
-    yield verdict.noted(quantity, six.rms / hundredths, six.floor / hundredths)
-    yield verdict.noted("cost at p = 1, where nothing is drawn: no source of random bits can save more", certain)
+    yield report.noted(quantity, six.rms / hundredths, six.floor / hundredths)
+    yield report.noted("cost at p = 1, where nothing is drawn: no source of random bits can save more", certain)
 
 
 def _source_rows(points, scatter):
     fresh, *others = points
     quantity = "rms difference in floors, plain kernel with fresh draws against the toy's"
-    yield verdict.close(quantity, fresh.rms / fresh.floor, SCATTER, 1.0, ALIKE)
+    yield report.close(quantity, fresh.rms / fresh.floor, SCATTER, 1.0, ALIKE)
     for each in others:
         quantity = f"rms error in floors, draws: {each.setting}"
-        yield verdict.noted(quantity, each.rms / each.floor, SCATTER, 1, "as good as fresh")
+        yield report.noted(quantity, each.rms / each.floor, SCATTER, 1, "as good as fresh")
         quantity = f"scatter of the pile's left-right surplus, as a multiple of fresh draws', draws: {each.setting}"
-        yield verdict.noted(quantity, scatter[each.setting] / scatter[fresh.setting], None, 1, "as good as fresh")
+        yield report.noted(quantity, scatter[each.setting] / scatter[fresh.setting], None, 1, "as good as fresh")
 
 
 def _pixel_rows(found):
-    yield Table("The same glass of 480×624 pixels, p = 0.75, balanced.", *pixel_table(found))
+    yield Table.of("The same glass of 480×624 pixels, p = 0.75, balanced.", *pixel_table(found))
     falls = [np.mean([each.falls for each in found[cell]]) for cell in CELLS]
     exponent = float(np.polyfit(np.log(CELLS), np.log(falls), 1)[0])
     quantity = "exponent of the drain time, in falls through the glass, in the size of a cell"
-    yield verdict.noted(quantity, exponent, None, -1, FALLEN)
+    yield report.noted(quantity, exponent, None, -1, FALLEN)
+
+
+def _batches():
+    """Yield a row and a table on iterations played in larger batches."""
+    digests, times = {}, {batch: [] for batch in BATCHES}
+    scene = load_scene("hourglass")
+    for batch in BATCHES * ROUNDS:
+        world = scene.world(1)
+        begin = time.perf_counter()
+        for _ in range(TOTAL // batch):
+            advance(world, scene.rule, batch)
+        times[batch].append(time.perf_counter() - begin)
+        digests[batch] = world.digest()
+    quantity = f"different outcomes of {TOTAL} iterations, {', '.join(map(str, BATCHES))} to a frame"
+    yield report.same(quantity, len(set(digests.values())) - 1, 0, PLACE_AND_TIME)
+    table = [(batch, ratio(times[batch], times[DEFAULT_BATCH])) for batch in BATCHES]
+    heads = "iterations to a frame", "time for the same iterations"
+    yield Table.of(f"Time of `advance` alone, as a multiple of that at {DEFAULT_BATCH} to a frame.", heads, table)
+
+
+def _exact_count():
+    """Return the row on how many runs of a world that stands still the forecast does not count."""
+    sand = np.ones((1, 2), bool)
+    counts = counts_at(sand, np.zeros_like(sand), Rule.with_p(0.5), [1], MANY_RUNS)
+    missed = MANY_RUNS - int(counts.min())
+    return report.same(f"runs that the exact count misses of {MANY_RUNS:,}", missed, 0, "int64")
 
 
 def drawn(points):

@@ -3,13 +3,13 @@
 import json
 import sys
 from dataclasses import replace
+from datetime import date
 
 import numpy as np
 import pytest
 
 from game import Rule, advance, cli
-from game.study import bench
-from game.study.bench import checks, command, frames, goals, peer_table, plan, processes, rounds, table, worlds
+from game.study.bench import checks, command, frames, goals, peer_table, plan, processes, rounds, worlds
 from game.study.peers import Peer, cpp_blocks, numpy_blocks
 from game.study.peers.lattice import WALL, lattice, sand
 from tests import reference
@@ -28,7 +28,6 @@ TINY = plan.Plan(
     scene_size=(61, 61),
     glass_sizes=((61, 61),),
     scale_sizes=((16, 16), (64, 48)),
-    thread_size=(64, 64),
     frame_cases=(HOURGLASS,),
     frames=4,
     starts=1,
@@ -136,7 +135,7 @@ def test_wrong_kernels_end_the_bench_with_one_line_and_no_time(monkeypatch, caps
 
     monkeypatch.setattr(checks, "advance", reckless)
     assert command.run(plan=TINY) == 1
-    head, line = capsys.readouterr().out.strip().split("\n\n")
+    head, line = filter(None, (line.strip() for line in capsys.readouterr().out.splitlines()))
     assert line.startswith("sandglass bench: advance differs from the plain twin in")
     assert "nothing was timed" in line and "load" in head
 
@@ -152,28 +151,20 @@ def test_a_window_that_shows_another_world_is_refused(monkeypatch):
 
 @pytest.fixture(scope="module")
 def tables():
-    """Every table of a tiny run, by key."""
-    return {each.key: each for each in (measure(TINY) for measure in command.TABLES)}
+    """Every section of a tiny run, by name."""
+    return {each.name: each for each in (measure(TINY) for measure in command.TABLES)}
 
 
 def test_each_table_has_its_rows(tables):
     peers_of_each = len(PEERS) + 1
-    rows = {key: len(each.rows) for key, each in tables.items()}
+    rows = {name: len(each.tables[0].rows) for name, each in tables.items()}
     assert rows == {
         "paper": 2, "peers": 2 * peers_of_each, "scene": 20, "glass": 4, "acts": 7,
-        "scale": 2, "frames": 1, "threads": 2, "start": 1,
-    }, [each.notes for each in tables.values()]  # fmt: skip
+        "scale": 2, "frames": 1, "start": 1,
+    }, [each.items[1:] for each in tables.values()]  # fmt: skip
     for each in tables.values():
-        for row in each.rows:
-            assert all(column.key in row for column in each.columns), each.key
-
-
-def test_tables_read_the_same_as_text_markdown_and_json(tables):
-    for each in tables.values():
-        text, markdown = each.text(), each.markdown()
-        for line in each.cells():
-            assert all(cell in text and cell in markdown for cell in line)
-        assert len(json.loads(json.dumps(each.as_dict()))["rows"]) == len(each.rows)
+        for row in each.tables[0].rows:
+            assert all(column.key in row for column in each.tables[0].columns), each.name
 
 
 def test_the_stages_of_a_frame_add_up_to_the_frame():
@@ -189,30 +180,48 @@ def test_what_cannot_be_shown_is_left_out_with_a_word():
         processes.timing(["--scene", "nowhere"], environment)
 
 
-def test_the_command_writes_markdown_json_and_a_picture(monkeypatch, capsys, tmp_path, tables):
-    pytest.importorskip("matplotlib")
+@pytest.fixture
+def measured(monkeypatch, tables):
+    """Let the command find what a tiny run measured."""
     monkeypatch.setattr(command, "TABLES", [lambda _, each=each: each for each in tables.values()])
-    assert command.run(quick=True, as_json=True, out=tmp_path / "new") == 0
+
+
+def test_the_command_writes_a_readme_json_and_a_picture(measured, capsys, tmp_path, tables):
+    assert cli.main(["bench", "--quick", "--json", "--out", str(tmp_path / "new")]) == 0
     printed = json.loads(capsys.readouterr().out)
     assert printed == json.loads((tmp_path / "new/bench.json").read_text())
-    assert set(printed["tables"]) == set(tables)
-    assert "python main.py bench --quick --out" in (tmp_path / "new/bench.md").read_text()
-    assert (tmp_path / "new/bench.png").read_bytes().startswith(b"\x89PNG")
+    assert [each["name"] for each in printed["sections"]] == [*tables, "goals"]
+    text = (tmp_path / "new/README.md").read_text()
+    assert f"Measured on {date.today().isoformat()}, quick run; " in text
+    assert "python main.py bench --quick --out" in text and "](speed.png)" in text
+    assert (tmp_path / "new/speed.png").read_bytes().startswith(b"\x89PNG")
 
 
-def test_without_matplotlib_out_says_so_before_anything_is_measured(monkeypatch, capsys, tmp_path):
+def test_what_is_shown_is_what_is_written(measured, capsys, tmp_path, tables):
+    assert cli.main(["bench", "--quick", "--out", str(tmp_path)]) == 0
+    shown, written = capsys.readouterr().out, (tmp_path / "README.md").read_text()
+    for section in tables.values():
+        cells = [cell for row in section.tables[0].cells() for cell in row]
+        assert all(cell in shown and cell in written for cell in cells)
+
+
+@pytest.mark.parametrize(("missing", "arguments"), [("rich", []), ("matplotlib", ["--out", "x"])])
+def test_without_a_package_the_bench_says_so_before_anything_is_measured(missing, arguments, monkeypatch, capsys):
     monkeypatch.setattr(command, "TABLES", [_no_timing])
-    monkeypatch.delattr(bench, "picture", raising=False)
-    monkeypatch.delitem(sys.modules, "game.study.bench.picture", raising=False)
-    monkeypatch.setitem(sys.modules, "matplotlib", None)
-    monkeypatch.setitem(sys.modules, "matplotlib.figure", None)
-    assert cli.main(["bench", "--out", str(tmp_path)]) == 2
+    monkeypatch.setitem(sys.modules, missing, None)
+    assert cli.main(["bench", *arguments]) == 2
     said = capsys.readouterr()
-    assert said.out == "" and said.err.count("\n") == 1 and "matplotlib" in said.err
+    assert said.out == "" and said.err.count("\n") == 1
+    assert missing in said.err and "sandglass[study]" in said.err
+
+
+def test_without_matplotlib_and_scipy_the_bench_still_measures(measured, monkeypatch):
+    for name in ("matplotlib", "scipy"):
+        monkeypatch.setitem(sys.modules, name, None)
+    assert cli.main(["bench", "--quick", "--json"]) == 0
 
 
 def test_a_folder_that_cannot_be_made_is_named_before_anything_is_measured(monkeypatch, capsys, tmp_path):
-    pytest.importorskip("matplotlib")
     monkeypatch.setattr(command, "TABLES", [_no_timing])
     (tmp_path / "file").touch()
     assert cli.main(["bench", "--out", str(tmp_path / "file" / "folder")]) == 2
@@ -223,10 +232,10 @@ def test_a_folder_that_cannot_be_made_is_named_before_anything_is_measured(monke
 # --- how it is measured ---
 
 
-def test_candidates_take_turns_and_only_their_act_is_timed():
+def test_workloads_take_turns_and_only_their_act_is_timed():
     order = []
 
-    def candidate(key):
+    def workload(key):
         def fresh():
             order.append(key)
             return [0]
@@ -235,9 +244,9 @@ def test_candidates_take_turns_and_only_their_act_is_timed():
             state[0] += 1
             assert state == [1]  # a state of its own each time
 
-        return rounds.Candidate(key, act, fresh)
+        return rounds.Workload(key, act, fresh)
 
-    found = rounds.take_turns([candidate("a"), candidate("b")], rounds=3, least_ns=1)
+    found = rounds.take_turns([workload("a"), workload("b")], rounds=3, least_ns=1)
     assert order[-6:] == ["a", "b"] * 3
     assert all(len(timing.samples) == 3 and timing.low <= timing.median <= timing.high for timing in found.values())
 
@@ -275,11 +284,3 @@ def test_a_frame_in_time_that_left_sand_unmoved_misses_its_goal():
     assert not frames._goal(case, row).met
     assert frames._goal(case, row | {"iterations": 8.0}).met
     assert not frames._goal(case, row | {"iterations": 8.0, "window": (600, 480)}).met
-
-
-@pytest.mark.parametrize(
-    ("value", "shown"),
-    [(0.0391, "0.0391"), (2.0, "2.00"), (85.88, "85.9"), (99.97, "100"), (2070.4, "2,070"), (0, "0")],
-)
-def test_figures_have_three_digits(value, shown):
-    assert table.figure(value) == shown

@@ -1,13 +1,13 @@
 """Trials: copies are the lattice they copy, and an ensemble is told from one whose rule is a little off."""
 
 from dataclasses import replace
+from math import exp, factorial
 
 import numpy as np
 import pytest
 
 from game import Rule, World, advance
-from game.study.exact import chi_square as comparison
-from game.study.exact.chi_square import compare
+from game.study.exact.chi_square import FEWEST, compare, poisson_p_value, smallest_of
 from game.study.exact.lattices import LATTICES
 from game.study.exact.tiled_worlds import sand_and_walls, stacked_states, tiled_states
 from game.study.exact.trials import PATHS, PROBABILITIES, SCHEDULES, Trial, chain_of, most_uncertain, trials
@@ -47,7 +47,7 @@ def test_certain_copies_side_by_side_are_the_lattice_set_in_walls(name, schedule
 @pytest.mark.parametrize("path", PATHS)
 @pytest.mark.parametrize("probabilities", ["p = 0.25", "seven different"])
 def test_an_ensemble_agrees_with_the_chain(path, probabilities):
-    found = Trial("walls in every role", "paper", probabilities, path, 1).run(50_000).comparison
+    found = Trial("walls in every role", "paper", probabilities, path, 1).run(50_000).agreement
     assert found.outside == 0 and found.degrees > 3
     assert found.p_value > 1e-4 and min(found.cells) > 1e-4 / len(found.cells)
 
@@ -76,8 +76,25 @@ def test_chi_square_of_right_chances_is_uniform_and_counts_rare_states_together(
     generator = np.random.default_rng(7)
     found = [compare(generator.choice(chain.states, 2000, p=chances), chain, chances, 30) for _ in range(200)]
     assert abs(np.mean([each.p_value for each in found]) - 0.5) < 5 * (1 / 12 / len(found)) ** 0.5
-    assert all(each.rare_expected < comparison.FEWEST for each in found)
+    assert all(each.rare_expected < FEWEST for each in found)
     assert sum(each.rare for each in found) == pytest.approx(sum(each.rare_expected for each in found), abs=300)
+
+
+@pytest.mark.parametrize(("count", "mean"), [(0, 3.0), (1, 3.0), (3, 3.0), (9, 3.0), (40, 20.0)])
+def test_the_p_value_of_a_count_is_a_sum_of_poissons_terms(count, mean):
+    terms = [exp(-mean) * mean**k / factorial(k) for k in range(100)]
+    expected = min(1.0, 2 * min(sum(terms[count:]), sum(terms[: count + 1])))
+    assert poisson_p_value(count, mean) == pytest.approx(expected, rel=1e-9)
+
+
+def test_what_cannot_happen_has_p_value_zero():
+    assert poisson_p_value(0, 0.0) == 1.0 and poisson_p_value(1, 0.0) == 0.0
+
+
+def test_the_smallest_of_many_p_values_is_often_small():
+    assert smallest_of([0.5]) == pytest.approx(0.5)
+    assert smallest_of([0.01] + [1.0] * 99) == pytest.approx(1 - 0.99**100)
+    assert smallest_of([0.0, 0.3]) == 0.0 and smallest_of([1.0, 1.0]) == 1.0
 
 
 @pytest.mark.parametrize("everything", [False, True])

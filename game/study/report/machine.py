@@ -1,4 +1,4 @@
-"""The machine: what the figures were taken on, in one line."""
+"""The machine that figures are measured on, in one line."""
 
 import os
 import platform

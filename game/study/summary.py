@@ -1,4 +1,7 @@
-"""Headlines: the rows that the README shows."""
+"""The summary: what the README of the study keeps of a report."""
+
+from game.study.report.report import VERDICTS, Picture, count_verdicts
+from game.study.report.table import Table
 
 HEADLINES = frozenset(
     {
@@ -24,3 +27,19 @@ HEADLINES = frozenset(
         "exponent of the fallen height in time",
     }
 )
+PICTURES = ("density", "trade")
+LEGEND = (
+    "*differs* marks a claim of the paper, or a law of real sand, that the model does not bear out. *disagrees* marks "
+    "a fault of this program. The same run writes `study.md`, with every row, table and picture."
+)
+
+
+def summary(report):
+    """Return the items of the summary: how many rows have which verdict, the HEADLINES and the PICTURES."""
+    counts = [(section.title, *count_verdicts(section.rows).values()) for section in report.sections]
+    return [
+        LEGEND,
+        Table.of("", ("part", *VERDICTS), counts),
+        *(row for row in report.rows if row.quantity in HEADLINES),
+        *(item for item in report.items if isinstance(item, Picture) and item.name in PICTURES),
+    ]
