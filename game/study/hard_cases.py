@@ -17,8 +17,8 @@ FLIP_AFTER = 1003  # iterations: odd and no multiple of any cycle, so that flips
 SEVEN = Rule(0.5, 0.3, 0.9, 0.8, 0.7, 0.6, 0.95)
 KINDS = {"certain": Rule(), "p = 0.5": Rule.with_p(0.5), "seven probabilities": SEVEN}
 ABOUT = (
-    "Cases that take an instant are tests, in tests/world/test_hard_cases.py and test_clock.py: full lattices, single "
-    "cells, checkerboards, flips at every phase of the cycle, strokes at the borders of words, bands and seams."
+    "Quick cases are tests, in tests/world/sand/test_hard_cases.py and test_clock.py: full lattices, single cells, "
+    "checkerboards, flips at every phase of the cycle, strokes at the borders of words, bands and seams."
 )
 CONSERVED = "grains are neither made nor lost"
 ARITHMETIC = "whole-number arithmetic"

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from game import Rule, advance, cli
-from game.study.bench import checks, command, frames, goals, peer_table, plan, processes, rounds, worlds
+from game.study.bench import checks, command, frames, goals, peer_table, plan, processes, rounds, start_up, worlds
 from game.study.peers import Peer, cpp_blocks, numpy_blocks
 from game.study.peers.lattice import WALL, lattice, sand
 from tests import reference
@@ -149,10 +149,31 @@ def test_a_window_that_shows_another_world_is_refused(monkeypatch):
 # --- tables ---
 
 
+def in_a_window(*arguments, **changed):
+    """Return what the toy says of its frames or of its start, without opening a window."""
+    return {
+        "marks_s": dict.fromkeys(start_up.MARKS, 0.5),
+        "driver": "x11",
+        "same_as_without_window": True,
+        "cells": [180, 240],
+        "window": [640, 480],
+        "pixels_per_cell": 2.0,
+        "frames": 4,
+        "iterations": 32,
+        "smooth": True,
+        "stage_ms": dict.fromkeys(frames.STAGES, 0.5),
+        "frame_ms": {"mean": 3.0, "median": 3.0, "p99": 5.0},
+        **changed,
+    }
+
+
 @pytest.fixture(scope="module")
 def tables():
     """Every section of a tiny run, by name."""
-    return {each.name: each for each in (measure(TINY) for measure in command.TABLES)}
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(frames, "timing", in_a_window)
+        patch.setattr(start_up, "timing", in_a_window)
+        return {each.name: each for each in (measure(TINY) for measure in command.TABLES)}
 
 
 def test_each_table_has_its_rows(tables):
@@ -167,16 +188,27 @@ def test_each_table_has_its_rows(tables):
             assert all(column.key in row for column in each.tables[0].columns), each.name
 
 
-def test_the_stages_of_a_frame_add_up_to_the_frame():
-    arguments = ["--scene", "hourglass", "--iterations-per-frame", 5, "--frames", 6]
-    with frames.screen() as (environment, _):
-        report = processes.timing(arguments, environment)
-    assert report["iterations"] == 30 and report["frames"] == 6
-    assert sum(report["stage_ms"].values()) == pytest.approx(report["frame_ms"]["mean"])
+def test_the_stages_of_a_frame_add_up_to_the_frame(monkeypatch, tables):
+    reports = []
+
+    def timed(*arguments):
+        reports.append(processes.timing(*arguments))
+        return reports[-1]
+
+    monkeypatch.setattr(frames, "timing", timed)
+    (row,) = frames.frame_table(TINY).tables[0].rows
+    assert row.keys() == tables["frames"].tables[0].rows[0].keys()
+    assert reports[0]["frames"] == TINY.frames and row["iterations"] <= HOURGLASS.iterations
+    assert sum(row[stage] for stage in frames.STAGES) == pytest.approx(reports[0]["frame_ms"]["mean"])
+
+
+def test_a_start_has_its_marks_in_order():
+    (row,) = start_up.start_table(TINY).tables[0].rows
+    assert 0 < row["imported"] <= row["window"] <= row["splash"] <= row["playing"]
 
 
 def test_what_cannot_be_shown_is_left_out_with_a_word():
-    with frames.screen() as (environment, _), pytest.raises(processes.NoWindowError, match="no such file"):
+    with processes.screen() as (environment, _), pytest.raises(processes.NoWindowError, match="no such file"):
         processes.timing(["--scene", "nowhere"], environment)
 
 
@@ -278,9 +310,18 @@ def test_a_goal_is_met_on_its_side_of_the_limit_and_missed_when_spoiled():
     assert spoiled.verdict == "≤ 16 ms: not met (15 of 16 iterations)"
 
 
-def test_a_frame_in_time_that_left_sand_unmoved_misses_its_goal():
-    case = replace(HOURGLASS, window=(640, 480), iterations=8)
-    row = {"iterations": 7.5, "window": (640, 480), "p99_ms": 5.0}
-    assert not frames._goal(case, row).met
-    assert frames._goal(case, row | {"iterations": 8.0}).met
-    assert not frames._goal(case, row | {"iterations": 8.0, "window": (600, 480)}).met
+@pytest.mark.parametrize(
+    ("report", "met"),
+    [
+        ({}, True),
+        ({"iterations": 30}, False),
+        ({"window": [600, 480]}, False),
+        ({"frame_ms": {"median": 3, "p99": 17}}, False),
+    ],
+    ids=["in time", "sand left unmoved", "another window", "late"],
+)
+def test_a_frame_meets_its_goal_in_time_with_all_its_iterations_in_the_window_asked_for(report, met, monkeypatch):
+    case = replace(HOURGLASS, window=(640, 480), iterations=8, goal=True)
+    monkeypatch.setattr(frames, "timing", lambda *_: in_a_window(**report))
+    (row,) = frames.frame_table(replace(TINY, frame_cases=(case,))).tables[0].rows
+    assert row["goal"].met == met
