@@ -4,9 +4,8 @@ from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
-from game.world.files.assets import asset
 from game.world.files.checked_table import as_line
-from game.world.files.paths import new_file
+from game.world.files.paths import asset, new_file
 from game.world.scenes.picture_file import Photo, Picture, open_picture, save_picture
 from game.world.scenes.scene import Scene, load_scene
 from game.world.sessions import recording as replay

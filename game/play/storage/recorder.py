@@ -12,7 +12,7 @@ from game.world.files.paths import new_file
 from game.world.looks import painter as picture
 from game.world.looks.themes import NIGHT, dyed_palette
 from game.world.looks.view import View
-from game.world.sessions.moment import Moment
+from game.world.sessions.moment import Lookahead, Moment
 from game.world.sessions.snapshots import nearest
 
 FRAME_MS = 40  # of a GIF: 25 frames per second
@@ -206,15 +206,12 @@ def _again(timeline, ats):
     first = timeline.history.latest(ats[0])
     snapshot = nearest(first, ats[0])
     moment = snapshot.moment() if snapshot else Moment.start(*timeline.start)
-    acts = timeline.history.after(snapshot.act if snapshot else timeline.history.root)
+    lookahead = Lookahead(moment, timeline.history.after(snapshot.act if snapshot else timeline.history.root))
 
     def worlds():
         for at in ats:
-            while acts and acts[-1].at <= at:
-                moment.run(acts[-1].at - moment.now)
-                moment.take(acts.pop().action)
-            moment.run(at - moment.now)
-            yield moment.world
+            lookahead.run_to(at)
+            yield lookahead.world
 
     return worlds()
 

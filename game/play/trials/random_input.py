@@ -5,7 +5,7 @@ import random
 import pygame
 
 from game.play.controls.keymap import CTRL, KEYS, SHIFT
-from game.world.files.assets import asset
+from game.world.files.paths import asset
 
 MOVES = (
     *(pygame.K_TAB, pygame.K_RETURN, pygame.K_SPACE, pygame.K_ESCAPE, pygame.K_HOME, pygame.K_END, pygame.K_DELETE),

@@ -5,7 +5,7 @@ from functools import lru_cache, partial
 
 import pygame
 
-from game.world.files.assets import asset
+from game.world.files.paths import asset
 from game.world.looks.themes import NIGHT
 from game.world.sand import parameters
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from game.play.window.audio import RATE, sound_of
-from game.world.sand.stir import Stir
+from game.world.sand.measure import Stir
 
 LOOK_S = 0.1  # from one look at the sand to the next
 GLIDE_S = 0.15  # how fast loudness and side follow

@@ -5,7 +5,7 @@ import sys
 import numpy as np
 import pygame
 
-from game.world.files.assets import asset
+from game.world.files.paths import asset
 from game.world.looks.painter import Painter
 from game.world.looks.themes import NIGHT
 from game.world.looks.view import View

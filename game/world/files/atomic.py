@@ -1,9 +1,14 @@
-"""Saving: a file is there as it was or as it shall be, never half of either."""
+"""Files written in one step, read with a bound, and locked: a file is the old one or the new one, never half of it."""
 
 import contextlib
 import os
 import tempfile
 from pathlib import Path
+
+if os.name == "nt":
+    import msvcrt
+else:
+    import fcntl
 
 
 def _umask():
@@ -81,3 +86,31 @@ def sync_folder(folder):
         os.fsync(handle)
     finally:
         os.close(handle)
+
+
+if os.name == "nt":
+    FAR = 2**40  # bytes: a place that no file reaches, so that the lock does not keep anybody from reading
+
+    def lock(handle):
+        """Lock an open file and return whether that was possible; the system unlocks it when this process ends."""
+        place = os.lseek(handle, 0, os.SEEK_CUR)
+        os.lseek(handle, FAR, os.SEEK_SET)
+        try:
+            msvcrt.locking(handle, msvcrt.LK_NBLCK, 1)
+        except OSError:
+            return False
+        finally:
+            os.lseek(handle, place, os.SEEK_SET)
+        return True
+
+else:
+
+    def lock(handle):
+        """Lock an open file and return whether that was possible; the system unlocks it when this process ends."""
+        try:
+            fcntl.flock(handle, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+        except OSError:  # a file system without locks: two writers of two files are better than no journal
+            return True
+        return True

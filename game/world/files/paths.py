@@ -1,4 +1,4 @@
-"""Places: where the user's own files lie."""
+"""Where files are: those that ship with the toy, and the user's own."""
 
 import os
 import re
@@ -10,9 +10,17 @@ from platformdirs import user_config_dir, user_data_dir
 
 from game.world.files.atomic import trouble
 
+PACKAGE = Path(__file__).resolve().parents[2]
 LONGEST_NAME = 40  # characters of a file's name, without time and suffix
 
 _given, _giving = set(), threading.Lock()  # the paths that were returned for new files, one thread at a time
+
+
+def asset(*parts):
+    """Return the path of a shipped file or folder: inside an installed package, or beside it in a checkout."""
+    installed = PACKAGE / "assets"
+    home = installed if installed.is_dir() else PACKAGE.parent / "assets"
+    return home.joinpath(*parts)
 
 
 def folder_of(kind):

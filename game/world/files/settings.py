@@ -11,8 +11,7 @@ and nothing else is to be done: the file, its comments, what is said of a bad li
 
 import time
 
-from game.world.files.atomic import FileError, load, save, trouble
-from game.world.files.locking import lock
+from game.world.files.atomic import FileError, load, lock, save, trouble
 from game.world.files.paths import config_file
 from game.world.files.setting_types import Choice, Names, Switch
 from game.world.files.settings_format import Kept, read_lines, written

@@ -11,9 +11,9 @@ from game.core.step import advance_planes
 from game.core.step_coloured import advance_together
 from game.world.sand import fixtures, parameters
 from game.world.sand.fixtures import Traffic
-from game.world.sand.tally import NONE, added
+from game.world.sand.grain_account import NO_GRAINS, added
 
-NO_TRAFFIC = Traffic(NONE, NONE)
+NO_TRAFFIC = Traffic(NO_GRAINS, NO_GRAINS)
 
 _MASK = 2**64 - 1
 
@@ -28,7 +28,7 @@ def advance(world, rule, iterations):
     if not world.fixtures:
         _run(world, rule, iterations)
         return NO_TRAFFIC
-    end, poured, swallowed = world.iteration + iterations, NONE, NONE
+    end, poured, swallowed = world.iteration + iterations, NO_GRAINS, NO_GRAINS
     while world.iteration < end:
         came, went = fixtures.act(world)
         poured, swallowed = added(poured, came), added(swallowed, went)

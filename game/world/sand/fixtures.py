@@ -8,8 +8,8 @@ from game.core.ensemble.runs import full_words
 from game.core.paint.ink import EMPTY, GRAIN, Ink, by_colour
 from game.core.paint.primitives import RECTANGLE, figure
 from game.world.sand import parameters
+from game.world.sand.grain_account import NO_GRAINS, added, split
 from game.world.sand.sand_colours import AMBER, DYES
-from game.world.sand.tally import NONE, added, split
 
 TAP, DRAIN = "tap", "drain"
 FIRST_CELL = parameters.Knob(
@@ -98,7 +98,7 @@ class Fixture:
 
 def act(world):
     """Let the fixtures act that are due before the world's next iteration, in their order, and return the Traffic."""
-    where, poured, swallowed = world.layout, NONE, NONE
+    where, poured, swallowed = world.layout, NO_GRAINS, NO_GRAINS
     for each in world.fixtures:
         if world.iteration % each.every == 0:
             ink = world.mixed(each.ink)

@@ -4,8 +4,19 @@ So it is for the grains of each colour. A grain that is painted over with anothe
 """
 
 from dataclasses import dataclass, replace
+from operator import add
 
-from game.world.sand.tally import NONE, added, split
+NO_GRAINS = (0,) * 8  # a tally: numbers of grains of each colour
+
+
+def added(one, other):
+    """Return the sum of two tallies."""
+    return tuple(map(add, one, other))
+
+
+def split(change):
+    """Return the tallies of the grains that came and of those that went."""
+    return tuple(max(each, 0) for each in change), tuple(max(-each, 0) for each in change)
 
 
 @dataclass(frozen=True)
@@ -13,10 +24,10 @@ class Account:
     """The books of a world's grains since it was loaded: tallies by colour, and their sums as plain numbers."""
 
     start_by_colour: tuple
-    painted_by_colour: tuple = NONE
-    erased_by_colour: tuple = NONE
-    poured_by_colour: tuple = NONE  # by taps
-    swallowed_by_colour: tuple = NONE  # by drains
+    painted_by_colour: tuple = NO_GRAINS
+    erased_by_colour: tuple = NO_GRAINS
+    poured_by_colour: tuple = NO_GRAINS  # by taps
+    swallowed_by_colour: tuple = NO_GRAINS  # by drains
 
     @property
     def start(self):

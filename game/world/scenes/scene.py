@@ -9,8 +9,8 @@ from zlib import crc32
 
 import numpy as np
 
-from game.world.files.assets import asset
 from game.world.files.checked_table import SceneError, as_line, read_table
+from game.world.files.paths import asset
 from game.world.looks.themes import WALL_LOOKS
 from game.world.sand import fixtures as fixture
 from game.world.sand import parameters

@@ -8,11 +8,11 @@ import numpy as np
 from game.core.paint.ink import ANY, EMPTY, GRAIN, WALL, Ink
 from game.core.paint.primitives import ELLIPSE, RECTANGLE, covers
 from game.core.paint.strokes import DIAMOND, ROUND, SQUARE, comes_over
+from game.world.sand.grain_account import NO_GRAINS
 from game.world.sand.rule import Rule
 from game.world.sand.sand_colours import AMBER, DYES
-from game.world.sand.tally import NONE
+from game.world.scenes.hourglass_maker import pour
 from game.world.scenes.hourglass_spec import Glass
-from game.world.scenes.pour import pour
 from game.world.scenes.scene import Scene
 
 MATERIALS = {"erase": EMPTY, "sand": GRAIN, "wall": WALL}
@@ -116,7 +116,7 @@ def perform(action, world, rule):
 
     change: the tally of the grains that the act put into the world given, less those that it took.
     """
-    change = NONE
+    change = NO_GRAINS
     match action:
         case Paint():
             change = _paint(action, world)

@@ -14,8 +14,7 @@ import time
 from datetime import UTC, datetime
 from pathlib import Path
 
-from game.world.files.atomic import FileError, load, trouble
-from game.world.files.locking import lock
+from game.world.files.atomic import FileError, load, lock, trouble
 from game.world.files.paths import folder_of
 from game.world.sessions.history import WAIT
 from game.world.sessions.recording import SUFFIX, parse

@@ -5,9 +5,8 @@ from collections import deque
 
 from game.world.sand import parameters
 from game.world.sessions.action import Clear, Draw, Paint, Reshape, SetFixtures, SetRule
-from game.world.sessions.course import Course
 from game.world.sessions.history import Entry, History
-from game.world.sessions.moment import Moment
+from game.world.sessions.moment import Lookahead, Moment
 from game.world.sessions.snapshots import MEGABYTE, Shelf, Snapshot, nearest
 
 # Work between two snapshots: a seek computes no more than that. Half as much doubles the memory for ten minutes of a
@@ -107,9 +106,9 @@ class Timeline:
         self.reached = max(self.now, self.history.line.at)
 
     def course(self):
-        """Return the Course from here on, to be computed apart from the session."""
+        """Return the Lookahead from here on, to be computed apart from the session."""
         self.catch_up()
-        return Course(self.moment, self._ahead).copy()
+        return Lookahead(self.moment, self._ahead).copy()
 
     def undo(self, back=False, budget_ns=None):
         """Take back the last act and return whether there was one; `seek` tells what `budget_ns` does.

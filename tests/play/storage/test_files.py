@@ -15,8 +15,7 @@ from game.play.storage import recorder
 from game.play.storage.files import demos
 from game.play.storage.gif_writer import Gif
 from game.play.storage.open_sessions import MOST_WAITING
-from game.world.files.assets import asset
-from game.world.files.paths import folder_of
+from game.world.files.paths import asset, folder_of
 from game.world.looks.painter import Painter
 from game.world.looks.themes import NIGHT
 from game.world.looks.view import View

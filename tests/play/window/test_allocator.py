@@ -91,7 +91,7 @@ import gc
 import pygame
 from game.play.window.allocator import spare_what_lasts
 from game.world.sessions import timeline
-from game.world.files.assets import asset
+from game.world.files.paths import asset
 from game.world.sessions.snapshots import Snapshot
 from tests.play.player import Player
 

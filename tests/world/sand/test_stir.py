@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from game import Rule, World, advance, load_scene
-from game.world.sand.stir import Stir
+from game.world.sand.measure import Stir
 
 
 def fallen(columns, shape=(80, 400)):

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from PIL import Image
 
 from game.world.files import checked_table
-from game.world.files.assets import asset
+from game.world.files.paths import asset
 from game.world.sand.advance import advance
 from game.world.sand.fixtures import MOST
 from game.world.sand.rule import Rule

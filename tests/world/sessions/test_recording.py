@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import Rule, headless, load_scene
-from game.world.files.assets import asset
+from game.world.files.paths import asset
 from game.world.sand.fixtures import Fixture
 from game.world.scenes.scene_json import start_digest
 from game.world.sessions.action import Clear, Draw, Fill, Flip, Load, Paint, SetFixtures, SetRule, Turn, snap
