@@ -3,7 +3,7 @@
 import time
 
 from game.play.view.frame_stats import own_ns
-from game.world.looks.motion_samples import Streams
+from game.world.looks.motion_samples import MotionSamples
 from game.world.sessions.session import BUDGET_NS, SEEK_NS
 
 LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
@@ -18,7 +18,7 @@ class Stepping:
         self.frame_ns = 0  # what the whole of the last frame took
         self.moving_ns = 0  # the work of this thread that moved sand in this frame
         self._own_ns = self._other_ns = 0  # what stepping took in this frame, and anything else in the last one
-        self._streams = Streams()
+        self._streams = MotionSamples()
         self._way_since_s = None  # since when another moment is being computed
 
     @property

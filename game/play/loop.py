@@ -10,7 +10,7 @@ from game.play.ui.theme import Theme
 from game.play.window.allocator import give_back_freed, spare_what_lasts
 from game.play.window.layout import Layout, first_scale, first_size, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
-from game.world.background.compile_worker import Worker, steps_to_play
+from game.world.background.compile_worker import StepThread, steps_to_play
 from game.world.looks.view import View
 from game.world.sessions.session import FRAMES_PER_SECOND
 
@@ -30,10 +30,10 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     window = Window(_size(scene, settings, cell, theme), fullscreen)
     cell = View.fit(scene.shape, *Layout(theme, window.size, panel_shown=True).sand).cell
     first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures)
-    worker = Worker(first)
+    worker = StepThread(first)
     try:
         if _make_ready(window, theme, worker):
-            worker = Worker(later)
+            worker = StepThread(later)
             toy = Toy(window, scene, seed, p, settings)
             toy.recovery.start()
             if recording:
@@ -66,7 +66,7 @@ def _start_timer(toy, timer_s):
 
 
 def run(toy, later=None):
-    """Run frames until the toy stops; later: the Worker at what its first frames do not need, if any."""
+    """Run frames until the toy stops; later: the StepThread at what its first frames do not need, if any."""
     pace = pygame.time.Clock()
     before = time.perf_counter_ns()
     while toy.running:
@@ -81,7 +81,7 @@ def run(toy, later=None):
 
 
 def _make_ready(window, theme, worker):
-    """Show a splash that says what a Worker is at until it is done; return whether the player stayed."""
+    """Show a splash that says what a StepThread is at until it is done; return whether the player stayed."""
     steps = worker.steps
     while not worker.wait(1 / 30):
         if any(event.type == pygame.QUIT for event in pygame.event.get()):

@@ -28,7 +28,7 @@ class Ahead:
         self._mode = None
         self._by_button = False  # it is the panel's button that is held
         self._reached = None  # a function of (world, rule) that says whether what is looked for is there
-        self._before = None  # the course at the start of this frame
+        self._before = None  # the lookahead at the start of this frame
         self._where = None  # the session, its scene and the lattice in which it began
         self._line = None  # the last act before it began
         self._narrowing = False  # the iteration is being looked for among those of the last frame
@@ -116,7 +116,7 @@ class Ahead:
             self._await_anew()
         if self._mode is None:
             return None
-        self._before = timeline.course()
+        self._before = timeline.lookahead()
         most = MOST_TOGETHER if isinstance(self._toy.sessions.now, Comparison) else MANY
         if self._mode != HELD:
             return most
@@ -182,7 +182,7 @@ class Ahead:
     def _narrow(self):
         """Find the first iteration of this frame at which it was so, beside the frames that follow."""
         self._narrowing = True
-        course, end, reached, timeline = (
+        lookahead, end, reached, timeline = (
             self._before,
             self._toy.sessions.now.now,
             self._reached,
@@ -191,7 +191,7 @@ class Ahead:
         line = timeline.history.line
 
         def work():
-            return first_moment(course, end, lambda world: reached(world, course.moment.rule))
+            return first_moment(lookahead, end, lambda world: reached(world, lookahead.moment.rule))
 
         def take(found):
             if not self._narrowing:

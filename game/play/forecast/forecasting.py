@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 from game.play.forecast.heatmap_overlay import Veil
 from game.play.forecast.legend import Legend
-from game.world.background.forecast_thread import Forecaster, Question, standard_error
+from game.world.background.forecast_thread import ForecastRequest, ForecastThread, standard_error
 from game.world.sand import parameters
-from game.world.sand.crop import Part, Still, forecast_part
+from game.world.sand.crop import Crop, CropBox, forecast_box
 
 MOST_CELLS = 2**21  # in one forecast: what a full HD lattice has; 64 runs of them take about a quarter of a second
 STALE_S = 0.3  # a forecast is shown as stale once what it was asked for has been another matter for so long
@@ -20,7 +20,7 @@ class Matter(NamedTuple):
     scene: object
     rule: object
     ahead: int  # iterations
-    part: Part
+    part: CropBox
     exact: bool  # whether what lies around the part cannot matter
 
 
@@ -30,10 +30,10 @@ class Forecasting:
     def __init__(self, toy, forecaster=None):
         self._toy = toy
         self._legend = Legend(toy, self)
-        self.forecaster = forecaster or Forecaster()
+        self.forecaster = forecaster or ForecastThread()
         self.shown = False
         self.ahead = parameters.AHEAD.default  # iterations
-        self.answer = None  # the Answer that is shown
+        self.answer = None  # the Forecast that is shown
         self.stale = False  # it has been to another question than the present one for a while
         self._asked = None  # (Matter, iteration) of the last question
         self._current_s = 0.0  # when the answer was last to the present question
@@ -66,7 +66,7 @@ class Forecasting:
         """Return (share of the runs with sand in a cell, its standard error), or None where nothing is known."""
         if self.answer is None:
             return None
-        part, runs = self.answer.question.still.part, self.answer.runs
+        part, runs = self.answer.request.crop.box, self.answer.runs
         y, x = row - part.top, column - part.left
         if not (0 <= y < part.height and 0 <= x < part.width):
             return None
@@ -85,15 +85,15 @@ class Forecasting:
         session, stage = self._toy.sessions.now, self._toy.display.stage
         view, area, shape = stage.view, stage.area, session.world.shape
         (left, top), (right, bottom) = view.place(area.left, area.top), view.place(area.right, area.bottom)
-        sight = Part.within(shape, math.floor(top), math.floor(left), math.ceil(bottom), math.ceil(right))
-        part, exact = forecast_part(shape, sight, self.ahead, MOST_CELLS)
+        sight = CropBox.within(shape, math.floor(top), math.floor(left), math.ceil(bottom), math.ceil(right))
+        part, exact = forecast_box(shape, sight, self.ahead, MOST_CELLS)
         return Matter(session.timeline.history.line, session.scene, session.rule, self.ahead, part, exact)
 
     def _ask(self, matter, now_s):
         world, before = self._toy.sessions.now.world, self._asked
         self._asked = matter, world.iteration
-        still, runs = Still(world, matter.part), parameters.RUNS.default
-        question = Question(still, matter.rule, matter.ahead, world.iteration, world.seed, runs, (matter, now_s))
+        crop, runs = Crop(world, matter.part), parameters.RUNS.default
+        question = ForecastRequest(crop, matter.rule, matter.ahead, world.iteration, world.seed, runs, (matter, now_s))
         self.forecaster.ask(question, hurry=before is None or before[0] != matter)
 
     def _take(self, matter, now_s):
@@ -101,7 +101,7 @@ class Forecasting:
         before, answer = (self.answer, self.stale), self.forecaster.answer
         if answer is None:
             return
-        question, (about, asked_s) = answer.question, answer.question.about
+        question, (about, asked_s) = answer.request, answer.request.about
         if about.scene is not matter.scene:
             answer, self.stale = None, False
         else:
@@ -111,5 +111,5 @@ class Forecasting:
             self.stale = now_s - self._current_s > STALE_S
         self.answer = answer
         if (self.answer, self.stale) != before:
-            self._toy.display.stage.veil = answer and Veil(question.still.part, answer.levels, self.stale)
+            self._toy.display.stage.veil = answer and Veil(question.crop.box, answer.levels, self.stale)
             self._toy.display.refresh()

@@ -68,17 +68,17 @@ class Legend:
 
     def _title(self):
         answer, session = self._forecasting.answer, self._toy.sessions.now
-        goal = session.now - session.world.iteration + answer.question.start + answer.question.ahead
+        goal = session.now - session.world.iteration + answer.request.start + answer.request.ahead
         return f"Sand at iteration {goal:,}"
 
     def _write(self):
         answer, shape = self._forecasting.answer, self._toy.sessions.now.world.shape
         if answer is None:
             return UNKNOWN
-        ago = self._toy.sessions.now.world.iteration - answer.question.start
-        when = f"{_iterations(answer.question.ahead)} ahead", f"Computed {f'{_iterations(ago)} ago' if ago else 'now'}"
+        ago = self._toy.sessions.now.world.iteration - answer.request.start
+        when = f"{_iterations(answer.request.ahead)} ahead", f"Computed {f'{_iterations(ago)} ago' if ago else 'now'}"
         lines = [self._title(), _said_of_runs(answer), *when, self._here()]
-        part, exact = answer.question.still.part, answer.question.about[0].exact
+        part, exact = answer.request.crop.box, answer.request.about[0].exact
         if (part.height, part.width) != shape:
             cells = f"{part.width:,}×{part.height:,} cells"
             lines += [f"Of the {cells} in sight"] if exact else [f"Only the middle {cells},", "as if walled in"]

@@ -46,7 +46,7 @@ class Table(NamedTuple):
 
 
 def card(theme, rect, account, counted):
-    """Return the strokes of the card of an Account in `rect`, where so many grains of each colour were counted."""
+    """Return the strokes of the card of an GrainAccount in `rect`, where so many grains of each colour were counted."""
     grains, balanced = sum(counted), counted == account.expected_by_colour
     strokes, room = charts.card(theme, rect, "Audit", "every grain is there" if balanced else "")
     if not balanced:

@@ -12,7 +12,7 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.world.files.atomic import save
 from game.world.files.paths import new_file
-from game.world.sessions.measurements import COLUMNS, PROFILE_COLUMNS, Watch, csv
+from game.world.sessions.measurements import COLUMNS, PROFILE_COLUMNS, Measurements, csv
 from game.world.sessions.session import BUDGET_NS
 
 SAMPLE_S = 0.25
@@ -75,7 +75,7 @@ class Plots:
             return
         begin = time.perf_counter()
         if not fits:
-            self._watch, self._since_s = Watch(self._toy.sessions.now, self.measured_row), now_s
+            self._watch, self._since_s = Measurements(self._toy.sessions.now, self.measured_row), now_s
         self._watch.follow(now_s - self._since_s, self._slowest_ns / 1e6)
         self._next_s = now_s + min(max(SAMPLE_S, SHARE * (time.perf_counter() - begin)), LONGEST_S)
         self._slowest_ns, self._drawing = 0, None

@@ -6,7 +6,7 @@ from types import SimpleNamespace
 
 from game.world.files.checked_table import as_line
 from game.world.files.paths import asset, new_file
-from game.world.scenes.picture_file import Photo, Picture, open_picture, save_picture
+from game.world.scenes.picture_file import Photo, SeededScene, open_picture, save_picture
 from game.world.scenes.scene import Scene, load_scene
 from game.world.sessions import recording as replay
 from game.world.sessions.recording import Recording
@@ -61,18 +61,18 @@ class Files:
         elif isinstance(what, Photo):
             self._toy.photo.show(what)
         else:
-            scene, seed = what if isinstance(what, Picture) else (what, self._toy.sessions.now.seed)
+            scene, seed = what if isinstance(what, SeededScene) else (what, self._toy.sessions.now.seed)
             opened = f"Opened {name}. Ctrl+Z takes you back."
             waits = f"{name} was not opened: the sand is still being computed."
             self._toy.notices.say(opened if self._toy.sessions.open_scene(scene, seed) else waits)
 
 
 def read(path):
-    """Return (Scene, Recording, Picture or Photo; the file's name) for a file; raise its error, one line, if none."""
+    """Return (Scene, Recording, SeededScene or Photo; the file's name); raise the file's error, one line, if none."""
     path = Path(path)
     kind = path.suffix.lower()
     if kind == ".toml":
-        found: Scene | Recording | Picture | Photo = load_scene(path)
+        found: Scene | Recording | SeededScene | Photo = load_scene(path)
     elif kind == replay.SUFFIX:
         found = replay.load_replay(path)
     else:

@@ -2,18 +2,18 @@
 
 import time
 
-from game.world.sessions.run_out import Cancelled, find_ending
+from game.world.sessions.run_out import Cancelled, find_run_out
 
 PATIENCE_S = 0.5  # a search for what is no longer so is given up after this; a shorter one still tells the pace
 AGAIN_S = 5.0  # from a search that failed, for want of memory, to the next
 
 
 class Planner:
-    """Knows the session's Ending; the newest question wins, and nobody waits."""
+    """Knows the session's RunOut; the newest question wins, and nobody waits."""
 
     def __init__(self, toy):
         self._toy = toy
-        self._found = None  # the last Ending
+        self._found = None  # the last RunOut
         self._of = None  # what it was found for
         self._asked = None  # what the search that goes on is for
         self._since_s = 0.0
@@ -22,11 +22,11 @@ class Planner:
 
     @property
     def newest(self):
-        """The Ending found last for this session, whether it still holds or not, or None."""
+        """The RunOut found last for this session, whether it still holds or not, or None."""
         return self._found if self._of is not None and self._of[0] is self._toy.sessions.now.timeline else None
 
     def ask(self):
-        """Return the Ending from here on, or None while that is being worked out."""
+        """Return the RunOut from here on, or None while that is being worked out."""
         timeline = self._toy.sessions.now.timeline
         here = timeline, timeline.history.line
         if self._of == here and timeline.now >= self._found.start:
@@ -39,11 +39,11 @@ class Planner:
 
     def _search(self, here):
         self._asked, self._since_s, self._cancelled = here, time.monotonic(), False
-        course = here[0].course()
+        lookahead = here[0].lookahead()
 
         def work():
             try:
-                return here, find_ending(course, lambda: self._cancelled or not self._toy.running)
+                return here, find_run_out(lookahead, lambda: self._cancelled or not self._toy.running)
             except Cancelled:
                 return None
 

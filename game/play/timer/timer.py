@@ -147,7 +147,7 @@ class Timer:
             clock.speed, self._own = speed, None
 
     def _current(self):
-        """Return the Ending that holds, or None while it is being worked out."""
+        """Return the RunOut that holds, or None while it is being worked out."""
         return self._toy.planner.ask()
 
     def _hold(self, paused):

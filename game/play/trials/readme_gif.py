@@ -12,7 +12,7 @@ from game.core.draw.cells import AIR
 from game.play.storage.gif_writer import Gif
 from game.play.view.turn_animation import TURN_S, Turn
 from game.world.files.atomic import FileError
-from game.world.looks.motion_samples import Streams
+from game.world.looks.motion_samples import MotionSamples
 from game.world.looks.painter import Painter
 from game.world.looks.themes import NIGHT, rgb
 from game.world.looks.view import View
@@ -52,7 +52,7 @@ class Stage:
         height, width = (CELL * side for side in scene.shape)
         side = height + 2 * MARGIN
         self.view = View(scene.shape, (side - width) // 2, MARGIN, width, height)
-        self.streams = Streams()
+        self.streams = MotionSamples()
         self._painter = Painter(self.view, NIGHT, scene.made_of)
         self._air = np.uint32(rgb(*NIGHT.air[AIR].dark))
         self._pixels = np.full((side, side), self._air)

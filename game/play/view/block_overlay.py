@@ -11,7 +11,7 @@ import pygame
 
 from game.play.ui import theme as look
 from game.world.sand.block_events import MOVES, coming_events, happened, offset
-from game.world.sand.crop import Part
+from game.world.sand.crop import CropBox
 
 LEAST_CELL = 12  # pixels: in smaller cells no arrow can be seen
 LEAST_WORDS = 28  # pixels to a cell, for the chance to be written into a block
@@ -98,10 +98,10 @@ class Blocks:
 
 
 def part_in_sight(view):
-    """Return the Part of the lattice of which any cell is in sight."""
+    """Return the CropBox of the lattice of which any cell is in sight."""
     left, top, right, bottom = view.seen
     first, last = view.place(left, top), view.place(right, bottom)
-    return Part.within(
+    return CropBox.within(
         view.shape, *(math.floor(each) for each in first[::-1]), *(math.ceil(each) for each in last[::-1])
     )
 

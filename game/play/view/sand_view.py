@@ -73,8 +73,8 @@ class Stage:
         """Bring the stage up to date and return the rects of the window that changed.
 
         marks: a tuple of `Mark`. overlay: a function that draws over the sand on a surface and returns the rects that
-        it covers, or None. streams: the Streams to draw falling sand by, or None. under: rects to be drawn anew in any
-        case.
+        it covers, or None. streams: the MotionSamples to draw falling sand by, or None. under: rects to be drawn
+        anew in any case.
         """
         if self.turn:
             frame, ground = tuple(self.area), self.window.surface.map_rgb(self._theme.colours.ground)

@@ -5,9 +5,8 @@ import threading
 from functools import partial
 
 from game.world.files.atomic import FileError
-from game.world.files.checked_table import SceneError
 
-EXPECTED = FileError, SceneError, OSError
+EXPECTED = FileError, OSError
 
 
 class Background:

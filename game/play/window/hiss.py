@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from game.play.window.audio import RATE, sound_of
-from game.world.sand.measure import Stir
+from game.world.sand.measure import MotionMeter
 
 LOOK_S = 0.1  # from one look at the sand to the next
 GLIDE_S = 0.15  # how fast loudness and side follow
@@ -25,7 +25,7 @@ class Hiss:
 
     def __init__(self, toy):
         self._toy = toy
-        self._stir = Stir()
+        self._stir = MotionMeter()
         self._sound = self._channel = None
         self._making = False
         self._chosen = False  # sound was chosen just now, and the card has not answered yet

@@ -11,7 +11,7 @@ from game.core import jit
 from game.world.background import kernel_warmup
 
 
-class Companion:
+class CompileWorker:
     """Runs `compile_all(tell, *needs)` in a process of its own; it sends something through `tell` after each step."""
 
     def __init__(self, compile_all, *needs):
@@ -40,7 +40,7 @@ class Companion:
         return not self._closed
 
 
-class Worker:
+class StepThread:
     """Does steps in a thread of its own. It is to be stopped before the interpreter ends: the compiler would crash."""
 
     def __init__(self, steps):
@@ -68,7 +68,7 @@ class Worker:
 
 
 def steps_to_play(rule, walls, cell=1, coloured=False, fixtures=()):
-    """Return the steps (what, act) to do before the first frame, those after it, and the Companion or None.
+    """Return the steps (what, act) to do before the first frame, those after it, and the CompileWorker or None.
 
     `prepare` says what they are. While the cache is new, a companion compiles what comes after the kernels that move
     sand.
@@ -76,7 +76,7 @@ def steps_to_play(rule, walls, cell=1, coloured=False, fixtures=()):
     own, later = kernel_warmup.moving_steps(rule, coloured, fixtures), kernel_warmup.later_steps(rule)
     drawing, companion = kernel_warmup.drawing_steps(walls, cell, coloured), None
     if jit.NEW and not getattr(sys, "frozen", False):
-        companion = Companion(_compile, rule, walls, cell, coloured)
+        companion = CompileWorker(_compile, rule, walls, cell, coloured)
         drawing, later = companion.beside(drawing), companion.beside(later)
     return own + drawing, later, companion
 

@@ -1,4 +1,4 @@
-"""The forecaster: forecasts worked out in a thread beside the frames, the newest question first."""
+"""The forecaster: forecasts worked out in a thread beside the frames, the newest request first."""
 
 import threading
 import time
@@ -8,32 +8,32 @@ from dataclasses import dataclass
 import numpy as np
 
 from game.core.draw.heatmap import heat_levels
-from game.world.sand.crop import Still
+from game.world.sand.crop import Crop
 from game.world.sand.ensemble import Cancelled, certain, growing_counts
 from game.world.sand.rule import Rule
 
 PATIENCE_S = 0.15  # a forecast of a moment that has passed is made no finer after this; five refreshes fit a second
-LONG_S = 1.0  # a question that is no longer asked is dropped after this, even if nothing has been said to it
+LONG_S = 1.0  # a request that is no longer asked is dropped after this, even if nothing has been said to it
 
 
 @dataclass(frozen=True, eq=False)
-class Question:
-    """What is asked: where the sand of a Still will be."""
+class ForecastRequest:
+    """What is asked: where the sand of a Crop will be."""
 
-    still: Still
+    crop: Crop
     rule: Rule
     ahead: int  # iterations
-    start: int  # the world's iteration at the still
+    start: int  # the world's iteration at the crop
     seed: int
     runs: int  # at most
     about: object = None  # what the asker knows it again by
 
 
 @dataclass(frozen=True, eq=False)
-class Answer:
+class Forecast:
     """What the runs so far say."""
 
-    question: Question
+    request: ForecastRequest
     counts: np.ndarray  # (height, width) int64: how many runs have sand in each cell
     levels: np.ndarray  # (height, width) uint8: the same as levels of heat
     runs: int
@@ -41,7 +41,7 @@ class Answer:
     @property
     def certain(self):
         """Whether the rule leaves nothing to chance."""
-        return certain(self.question.rule)
+        return certain(self.request.rule)
 
     @property
     def error(self):
@@ -54,32 +54,32 @@ def standard_error(share, runs):
     return (share * (1.0 - share) / runs) ** 0.5
 
 
-class Forecaster:
+class ForecastThread:
     """A thread that answers questions. Neither asking nor looking for the answer ever waits for it."""
 
     def __init__(self, count=growing_counts):
         self._count = count
         self._bell = threading.Condition()
-        self._thread = self._asked = None  # the question that waits, if any
+        self._thread = self._asked = None  # the request that waits, if any
         self._hurry = self._closed = False
-        self.answer = None  # the latest Answer
+        self.answer = None  # the latest Forecast
         self.working = False
 
-    def ask(self, question, hurry=False):
-        """Take a question in place of one that waits; `hurry`: it is a new one, not the same at a later moment.
+    def ask(self, request, hurry=False):
+        """Take a request in place of one that waits; `hurry`: it is a new one, not the same at a later moment.
 
         What is being worked out gives way: to one that hurries once it has told something, to others when it has had
         its time.
         """
         with self._bell:
-            self._asked, self._hurry, self.working = question, self._hurry or hurry, True
+            self._asked, self._hurry, self.working = request, self._hurry or hurry, True
             if self._thread is None:
                 self._thread = threading.Thread(target=self._work, name="forecaster", daemon=True)
                 self._thread.start()
             self._bell.notify()
 
     def close(self):
-        """Drop everything and end the thread; a later question starts another."""
+        """Drop everything and end the thread; a later request starts another."""
         with self._bell:
             self._closed, self._asked = True, None
             self._bell.notify()
@@ -89,11 +89,11 @@ class Forecaster:
 
     def _work(self):
         while asked := self._next():
-            with suppress(Cancelled, MemoryError):  # what does not fit is not answered; the next question may fit
+            with suppress(Cancelled, MemoryError):  # what does not fit is not answered; the next request may fit
                 self._answer(*asked)
 
     def _next(self):
-        """Wait for a question and take it; return it and whether it hurries, or None when there will be none."""
+        """Wait for a request and take it; return it and whether it hurries, or None when there will be none."""
         with self._bell:
             self.working = self._asked is not None
             self._bell.wait_for(lambda: self._asked or self._closed)
@@ -101,7 +101,7 @@ class Forecaster:
             self._asked, self._hurry = None, False
             return asked
 
-    def _answer(self, question, hurries):
+    def _answer(self, request, hurries):
         """Say more and more of where the sand will be, until it is said or something else is to be done.
 
         Where an earlier moment has been answered already, few runs are no news: then more are awaited first.
@@ -111,28 +111,28 @@ class Forecaster:
         def dropped():
             return self._closed or (self._hurry and (told or time.monotonic() - begin > LONG_S))
 
-        sand, walls = question.still.cells
+        sand, walls = request.crop.cells
         growing = self._count(
             sand,
             walls,
-            question.rule,
-            question.ahead,
-            question.runs,
-            question.seed,
-            question.start,
+            request.rule,
+            request.ahead,
+            request.runs,
+            request.seed,
+            request.start,
             cancelled=dropped,
-            fixtures=question.still.fixtures,
+            fixtures=request.crop.fixtures,
         )
         for runs, counts in growing:
             late = time.monotonic() - begin > PATIENCE_S
-            if hurries or late or runs == question.runs:
-                self.answer, told = answer_of(question, walls, counts, runs), True
+            if hurries or late or runs == request.runs:
+                self.answer, told = forecast_of(request, walls, counts, runs), True
             if dropped() or (late and self._asked):
                 return
 
 
-def answer_of(question, walls, counts, runs):
-    """Return the Answer that the runs so far give; `counts` may change after that."""
+def forecast_of(request, walls, counts, runs):
+    """Return the Forecast that the runs so far give; `counts` may change after that."""
     levels = np.empty(counts.shape, np.uint8)
     heat_levels(counts, runs, walls, levels)
-    return Answer(question, counts.copy(), levels, runs)
+    return Forecast(request, counts.copy(), levels, runs)

@@ -5,14 +5,14 @@ import numpy as np
 from game.core import planes
 from game.core.draw.cells import draw_turned
 from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
-from game.world.background.forecast_thread import Question, answer_of
+from game.world.background.forecast_thread import ForecastRequest, forecast_of
 from game.world.looks.heatmap_colours import cover
-from game.world.looks.motion_samples import Streams
+from game.world.looks.motion_samples import MotionSamples
 from game.world.looks.painter import Painter, rgb
 from game.world.looks.view import View
 from game.world.sand import fixtures as fixture
 from game.world.sand.advance import advance
-from game.world.sand.crop import Part, Still
+from game.world.sand.crop import Crop, CropBox
 from game.world.sand.ensemble import growing_counts
 from game.world.sand.fixtures import DRAIN, TAP, Fixture
 from game.world.sand.measure import pile_heights
@@ -97,7 +97,7 @@ def _bare(coloured):
 
 
 def _draw(walls, cell, coloured=False):
-    world, streams = _bare(coloured), Streams()
+    world, streams = _bare(coloured), MotionSamples()
     for _ in range(2):
         world.iteration += 1
         streams.note(world)
@@ -135,9 +135,9 @@ def _eraser():
 
 def _forecast():
     world, rule = _dot(), Rule.with_p(0.5)
-    still, places = Still(world, Part(0, 0, 2, 2)), np.arange(2, dtype=np.int32)
-    for runs, counts in growing_counts(*still.cells, rule, 1, runs=1):
-        answer = answer_of(Question(still, rule, 1, 0, 0, 1), world.walls, counts, runs)
+    crop, places = Crop(world, CropBox(0, 0, 2, 2)), np.arange(2, dtype=np.int32)
+    for runs, counts in growing_counts(*crop.cells, rule, 1, runs=1):
+        answer = forecast_of(ForecastRequest(crop, rule, 1, 0, 0, 1), world.walls, counts, runs)
     mean_levels(answer.levels, places, places, np.zeros((1, 1), np.uint8))
     lay_heat(answer.levels, covers_of(*cover(rgb)), places, places, np.zeros((2, 2), np.uint32), 0, 0)
 

@@ -5,26 +5,25 @@ import math
 import re
 import tomllib
 
-from game.world.files.atomic import printable
+from game.world.files.atomic import FileError, printable
 
 LARGEST_FILE = 32 * 2**20  # bytes: twice what drawing a 4K lattice cell by cell takes
 LONGEST_LINE = 200  # characters of a title or notice
 
 
-class SceneError(ValueError):
-    """What is wrong with a scene file, as one line: FILE: KEY: found X, wanted Y."""
+class TableError(FileError):
+    """What is wrong with a table, as one line: FILE: KEY: found X, wanted Y."""
 
     def __init__(self, file, key, found, wanted):
-        line = f"{file}: {key}: found {found}, wanted {wanted}"
-        super().__init__(printable(line))
+        super().__init__(f"{file}: {key}: found {found}, wanted {wanted}")
 
 
 def as_line(text):
-    """Return text as `Table.line` takes it: a space for a sign that cannot be shown, and no more than fits."""
+    """Return text as `CheckedTable.line` takes it: a space for a sign that cannot be shown, and no more than fits."""
     return printable(text)[:LONGEST_LINE]
 
 
-class Table:
+class CheckedTable:
     """The keys and values of one table; `where` leads to it in messages, such as 'rule.' or 'shape 2 (line).'."""
 
     def __init__(self, file, values, where=""):
@@ -34,11 +33,11 @@ class Table:
         return key in self.values
 
     def error(self, key, found, wanted):
-        """Return the SceneError that says what is wrong at `key`."""
-        return SceneError(self.file, f"{self.where}{key}", found, wanted)
+        """Return the TableError that says what is wrong at `key`."""
+        return TableError(self.file, f"{self.where}{key}", found, wanted)
 
     def allow(self, keys):
-        """Raise SceneError for the first key that is not one of `keys`."""
+        """Raise TableError for the first key that is not one of `keys`."""
         for key in self.values:
             if key not in keys:
                 near = difflib.get_close_matches(key[:40], keys, 1, 0.5)
@@ -94,14 +93,14 @@ class Table:
         value = self.values.get(key, {})
         if not isinstance(value, dict):
             raise self.error(key, shown(value), f"a table [{key}]")
-        return Table(self.file, value, f"{self.where}{key}.")
+        return CheckedTable(self.file, value, f"{self.where}{key}.")
 
     def tables(self, key):
         """Return the tables of the array [[key]], each named by its number in messages."""
         value = self.values.get(key, [])
         if not isinstance(value, list) or not all(isinstance(each, dict) for each in value):
             raise self.error(key, shown(value), f"tables [[{key}]]")
-        return [Table(self.file, each, f"{key} {number}.") for number, each in enumerate(value, 1)]
+        return [CheckedTable(self.file, each, f"{key} {number}.") for number, each in enumerate(value, 1)]
 
     def _value(self, key, wanted):
         if key not in self.values:
@@ -110,16 +109,16 @@ class Table:
 
 
 def read_table(path):
-    """Return the Table in the TOML file at `path`; raise SceneError where it cannot be read."""
+    """Return the CheckedTable in the TOML file at `path`; raise TableError where it cannot be read."""
     text = _read_text(path)
     try:
-        return Table(path, tomllib.loads(text))
+        return CheckedTable(path, tomllib.loads(text))
     except tomllib.TOMLDecodeError as error:
         reason, place = re.fullmatch(r"(.*?)(?: \(at (.*)\))?", str(error), re.DOTALL).groups()
         found, wanted = f"broken TOML ({reason})", "key = value, [table] or [[shape]]"
-        raise SceneError(path, place or "TOML", found, wanted) from None
+        raise TableError(path, place or "TOML", found, wanted) from None
     except (ValueError, RecursionError):  # a number of thousands of digits, or thousands of nested brackets
-        raise SceneError(path, "TOML", "a number or a nesting out of bounds", "ordinary numbers and tables") from None
+        raise TableError(path, "TOML", "a number or a nesting out of bounds", "ordinary numbers and tables") from None
 
 
 def shown(value):
@@ -146,17 +145,17 @@ def _read_text(path):
     wanted = "a text file in UTF-8"
     try:
         if path.is_dir():
-            raise SceneError(path, "file", "a folder", wanted)
+            raise TableError(path, "file", "a folder", wanted)
         if path.exists() and not path.is_file():
-            raise SceneError(path, "file", "no ordinary file", wanted)
+            raise TableError(path, "file", "no ordinary file", wanted)
         with open(path, "rb") as file:
             raw = file.read(LARGEST_FILE + 1)
     except OSError as error:
-        raise SceneError(path, "file", f"{error.strerror or error}".lower(), wanted) from None
+        raise TableError(path, "file", f"{error.strerror or error}".lower(), wanted) from None
     if len(raw) > LARGEST_FILE:
-        raise SceneError(path, "file", "a larger file", f"at most {LARGEST_FILE} bytes")
+        raise TableError(path, "file", "a larger file", f"at most {LARGEST_FILE} bytes")
     try:
         return raw.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:
         line = raw[: error.start].count(b"\n") + 1
-        raise SceneError(path, f"line {line}", f"the byte 0x{raw[error.start]:02x}", wanted) from None
+        raise TableError(path, f"line {line}", f"the byte 0x{raw[error.start]:02x}", wanted) from None

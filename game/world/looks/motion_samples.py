@@ -13,7 +13,7 @@ SPARE = 0.05  # of a frame's budget: what a cycle of iterations may take beyond 
 NO_SAMPLES = np.empty((0, PLANES, 0), np.uint64)
 
 
-class Streams:
+class MotionSamples:
     """Where the sand was in the last iterations of one world. It watches, and changes nothing."""
 
     def __init__(self):

@@ -27,7 +27,7 @@ def texture():
     return (z >> np.uint64(62)).astype(np.uint8)
 
 
-class Paints(NamedTuple):
+class CellPaints(NamedTuple):
     """What cells are drawn with, whatever the view."""
 
     pairs: np.ndarray  # of a world without colours, and of one with: what `pairs_of` gives
@@ -39,14 +39,16 @@ class Paints(NamedTuple):
 
 @lru_cache(maxsize=16)
 def paints_of(colours, walls, map_rgb, mixes):
-    """Return the Paints of a theme, as `Painter` takes them: they are kept, since a window is laid out often."""
+    """Return the CellPaints of a theme, as `Painter` takes them: they are kept, since a window is laid out often."""
     codes = dyed_palette(colours, walls, map_rgb)
     plain = np.array([dyed(look)[0] for look in range(LOOKS)])
     pairs = pairs_of(codes[plain]), pairs_of(codes)
     if not mixes:
-        return Paints(*pairs, None, None, NO_BLENDS)
+        return CellPaints(*pairs, None, None, NO_BLENDS)
     values, channels = dyed_palette(colours, walls), colour_space.channels(map_rgb)
-    return Paints(*pairs, colour_space.lights(values), channels, colour_space.blends(values, channels, colours.stream))
+    return CellPaints(
+        *pairs, colour_space.lights(values), channels, colour_space.blends(values, channels, colours.stream)
+    )
 
 
 class Painter:
@@ -80,8 +82,8 @@ class Painter:
     def draw(self, world, pixels, damage=(), streams=None):
         """Draw what differs from the last drawing into `pixels`, an (h, w) uint32 array that holds the view, in place.
 
-        damage: spans (top, bottom) of pixel rows that were overwritten since. streams: the Streams of the world, if
-        falling sand is to be drawn as the mean of the last iterations. Return the spans drawn, from the top.
+        damage: spans (top, bottom) of pixel rows that were overwritten since. streams: the MotionSamples of the world,
+        if falling sand is drawn as the mean of the last iterations. Return the spans drawn, from the top.
         """
         if self._glass:
             self._decorate(world)

@@ -6,7 +6,7 @@ from game.core.planes import LINE
 from game.core.step import BAND, CYCLE
 
 
-class Activity:
+class ActiveBands:
     """What is known about each band of plane rows. It decides how fast the future is reached, never which it is."""
 
     def __init__(self, layout):

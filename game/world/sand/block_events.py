@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.world.sand.crop import Still
+from game.world.sand.crop import Crop
 
 # Grains that move together, each from one corner of the block to another: (row, column) of both.
 FALL_LEFT, FALL_RIGHT, FALL_PAIR, TOPPLE_RIGHT, TOPPLE_LEFT = range(5)
@@ -17,7 +17,7 @@ MOVES = (
 )
 
 
-class Events(NamedTuple):
+class BlockEvents(NamedTuple):
     """What can happen in some blocks: one entry of each array a block."""
 
     rows: np.ndarray  # int64, the lattice row of the block's upper left corner
@@ -27,7 +27,7 @@ class Events(NamedTuple):
 
     def only(self, which):
         """Return the events that a bool array picks."""
-        return Events(*(each[which] for each in self))
+        return BlockEvents(*(each[which] for each in self))
 
 
 def offset(world, rule):
@@ -35,12 +35,12 @@ def offset(world, rule):
     return rule.offsets[world.iteration % len(rule.offsets)]
 
 
-def coming_events(world, rule, part):
-    """Return the Events of the coming iteration in the blocks that lie in a Part of the lattice, be it by a corner."""
-    part = part.grown(2, world.shape)
+def coming_events(world, rule, box):
+    """Return the BlockEvents of the coming iteration in the blocks that a CropBox touches."""
+    box = box.grown(2, world.shape)
     x, y = offset(world, rule)
-    sand, walls = Still(world, part).cells
-    bottom, right = part.top + part.height, part.left + part.width
+    sand, walls = Crop(world, box).cells
+    bottom, right = box.top + box.height, box.left + box.width
     outside = (0, bottom == world.shape[0]), (0, right == world.shape[1])
     sand, walls = np.pad(sand, outside), np.pad(walls, outside, constant_values=True)
     a, b, _, _ = _corners(sand, x, y)
@@ -62,15 +62,15 @@ def coming_events(world, rule, part):
     chances = np.select(*zip(*kinds, strict=True))
     rows, columns = np.nonzero((moves >= 0) & (chances > 0))
     found = rows, columns
-    return Events(part.top + y + 2 * rows, part.left + x + 2 * columns, moves[found], chances[found])
+    return BlockEvents(box.top + y + 2 * rows, box.left + x + 2 * columns, moves[found], chances[found])
 
 
-def happened(events, world, part):
-    """Return which of the events, told before the last iteration for a Part, have come about: a bool array."""
-    part = part.grown(2, world.shape)
-    sand, _ = Still(world, part).cells
+def happened(events, world, box):
+    """Return which of the events, told before the last iteration for a CropBox, have come about: a bool array."""
+    box = box.grown(2, world.shape)
+    sand, _ = Crop(world, box).cells
     first = np.array([move[0][0] for move in MOVES])[events.moves]
-    return ~sand[events.rows - part.top + first[:, 0], events.columns - part.left + first[:, 1]]
+    return ~sand[events.rows - box.top + first[:, 0], events.columns - box.left + first[:, 1]]
 
 
 def _corners(cells, x, y):

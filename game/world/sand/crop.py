@@ -7,7 +7,7 @@ import numpy as np
 from game.core import planes as bit_planes
 
 
-class Part(NamedTuple):
+class CropBox(NamedTuple):
     """A rectangle of cells. Its corner lies on an even row and column, so that blocks lie in it as in the lattice."""
 
     top: int
@@ -17,7 +17,7 @@ class Part(NamedTuple):
 
     @classmethod
     def within(cls, shape, top, left, bottom, right):
-        """Return the part that holds the cells from (top, left) to before (bottom, right), cut to the lattice."""
+        """Return the box that holds the cells from (top, left) to before (bottom, right), cut to the lattice."""
         height, width = shape
         top, left = min(max(0, top), height - 1) // 2 * 2, min(max(0, left), width - 1) // 2 * 2
         return cls(top, left, max(min(bottom, height) - top, 1), max(min(right, width) - left, 1))
@@ -28,45 +28,45 @@ class Part(NamedTuple):
         return self.height * self.width
 
     def grown(self, margin, shape):
-        """Return the part with `margin` cells more on each side, as far as the lattice goes."""
+        """Return the box with `margin` cells more on each side, as far as the lattice goes."""
         bottom, right = self.top + self.height, self.left + self.width
-        return Part.within(shape, self.top - margin, self.left - margin, bottom + margin, right + margin)
+        return CropBox.within(shape, self.top - margin, self.left - margin, bottom + margin, right + margin)
 
     def shrunk(self, most):
-        """Return the middle of the part, `most` cells at most, of the same proportions."""
+        """Return the middle of the box, `most` cells at most, of the same proportions."""
         share = min(1.0, (most / self.cells) ** 0.5)
         height, width = max(1, int(self.height * share)), max(1, int(self.width * share))
         top, left = self.top + (self.height - height) // 4 * 2, self.left + (self.width - width) // 4 * 2
-        return Part(top, left, height, width)
+        return CropBox(top, left, height, width)
 
 
-def forecast_part(shape, sight, ahead, most):
-    """Return (the part of a lattice to look `ahead` iterations in, whether what lies around it cannot matter).
+def forecast_box(shape, sight, ahead, most):
+    """Return (the box to look `ahead` iterations in, whether what lies around it cannot matter).
 
-    It is the whole where that has no more than `most` cells, else the part in `sight` with all from which sand could
+    It is the whole where that has no more than `most` cells, else the box in `sight` with all from which sand could
     get there, else as much of the sight as may be. A cell hears of its neighbours in one iteration, and of none beyond.
     """
     height, width = shape
-    whole, reach = Part(0, 0, height, width), sight.grown(ahead, shape)
+    whole, reach = CropBox(0, 0, height, width), sight.grown(ahead, shape)
     if whole.cells <= most:
         return whole, True
     return (reach, True) if reach.cells <= most else (sight.shrunk(most), False)
 
 
-class Still:
-    """The cells of a part at one moment, in a copy of its own."""
+class Crop:
+    """The cells of a box at one moment, in a copy of its own."""
 
-    def __init__(self, world, part):
-        where, row = world.layout, part.top // 2
-        words = slice(row * where.stride, (row + -(-part.height // 2)) * where.stride)
-        self.part = part
-        self.fixtures = tuple(each.moved(-part.left, -part.top) for each in world.fixtures)
+    def __init__(self, world, box):
+        where, row = world.layout, box.top // 2
+        words = slice(row * where.stride, (row + -(-box.height // 2)) * where.stride)
+        self.box = box
+        self.fixtures = tuple(each.moved(-box.left, -box.top) for each in world.fixtures)
         self._planes = world.planes[: bit_planes.SHIFTED_WALLS, words].copy()
-        self._band = where._replace(height=part.height)
+        self._band = where._replace(height=box.height)
 
     @property
     def cells(self):
         """Where sand and where walls are: two new (height, width) bool arrays."""
-        columns = slice(self.part.left, self.part.left + self.part.width)
+        columns = slice(self.box.left, self.box.left + self.box.width)
         both = (bit_planes.unpack(self._planes, self._band, first) for first in (bit_planes.SAND, bit_planes.WALLS))
         return tuple(np.ascontiguousarray(cells[:, columns]) for cells in both)

@@ -28,7 +28,7 @@ _RUNS = parameters.RUNS.default
 
 
 class Cancelled(Exception):  # noqa: N818 (it is a wish granted, not an error)
-    """Raised by a forecast whose `cancelled` returned true; nothing is kept of it."""
+    """Raised by a computation whose `cancelled` returned true; nothing is kept of it."""
 
 
 class Ensemble(NamedTuple):

@@ -15,8 +15,6 @@ TAP, DRAIN = "tap", "drain"
 FIRST_CELL = parameters.Knob(
     "place", 0, -parameters.SIDE.high, parameters.SIDE.high, "cells", "from the left or upper side", whole=True
 )
-KEYS = {kind: ("x", "y", "width", "height", "every") for kind in (TAP, DRAIN)}
-KEYS[TAP] += ("colour",)
 SIDE = parameters.Knob("side", 1, 1, parameters.SIDE.high, "cells", "width or height of a fixture", whole=True)
 MOST = 1000  # fixtures of a world
 
@@ -127,27 +125,3 @@ def act_on_replicas(fixtures, iteration, group, runs):
 def pause(fixtures, iteration):
     """Return after how many iterations from `iteration` on the next fixture acts, 1 at least."""
     return min(each.every - iteration % each.every for each in fixtures)
-
-
-def read(table, kind):
-    """Return the fixture that a Table with the KEYS of its kind tells of; raise SceneError where it tells of none."""
-    sizes = (table.number(key, SIDE, SIDE.default) for key in ("width", "height"))
-    x, y = table.number("x", FIRST_CELL), table.number("y", FIRST_CELL)
-    return Fixture(kind, x, y, *sizes, table.number("every", parameters.EVERY, 1), table.choice("colour", DYES, AMBER))
-
-
-def read_all(table, key="fixtures"):
-    """Return the tuple of fixtures that the array at `key` of a Table tells of, as `as_dict` writes them."""
-    fixtures = []
-    for each in table.tables(key):
-        kind = each.choice("kind", (TAP, DRAIN))
-        each.allow(("kind", *KEYS[kind]))
-        fixtures.append(read(each, kind))
-    return checked(fixtures, table, key)
-
-
-def checked(fixtures, table, key):
-    """Return them as a tuple; raise SceneError, for the key of a Table that they end with, where there are too many."""
-    if len(fixtures) > MOST:
-        raise table.error(key, f"{len(fixtures)} fixtures", f"at most {MOST}")
-    return tuple(fixtures)

@@ -20,7 +20,7 @@ def split(change):
 
 
 @dataclass(frozen=True)
-class Account:
+class GrainAccount:
     """The books of a world's grains since it was loaded: tallies by colour, and their sums as plain numbers."""
 
     start_by_colour: tuple

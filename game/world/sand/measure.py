@@ -9,7 +9,7 @@ from game.core.planes import BITS, SAND, WALLS, count_above
 from game.world.sand.advance import advance
 
 FLANK = 0.2, 0.8  # parts of a pile's height between which its slope is taken: foot and tip are rounded
-MOST_ROWS = 128  # plane rows that a Stir looks at
+MOST_ROWS = 128  # plane rows that a MotionMeter looks at
 ZONES = 8  # from left to right: the bytes of a word
 
 
@@ -52,7 +52,7 @@ def _slope(rising):
     return float(rising[flank[-1]] - rising[flank[0]]) / float(flank[-1] - flank[0])
 
 
-class Stir:
+class MotionMeter:
     """Remembers some rows of the sand as they were."""
 
     def __init__(self):

@@ -12,7 +12,7 @@ from game.core.paint.ink import EMPTY, GRAIN, RAINBOW, Ink, by_colour
 from game.core.paint.primitives import figure
 from game.core.paint.strokes import stroke
 from game.world.sand import parameters
-from game.world.sand.active_bands import Activity
+from game.world.sand.active_bands import ActiveBands
 
 RAINBOW_PACE = 192  # iterations until the rainbow's stripes have changed by one colour
 
@@ -31,7 +31,7 @@ class World:
         self.iteration = iteration  # iterations since the start, a non-negative int of any size
         self.seed = seed  # in [0, 2**64)
         self.fixtures = fixtures  # a tuple of Fixture: taps and drains
-        self.activity = Activity(layout)
+        self.activity = ActiveBands(layout)
 
     @classmethod
     def from_cells(cls, sand, walls, seed=0, colours=None):

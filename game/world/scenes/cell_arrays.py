@@ -4,7 +4,7 @@ import warnings
 
 import numpy as np
 
-from game.world.files.checked_table import SceneError, shown
+from game.world.files.checked_table import TableError, shown
 from game.world.sand import parameters
 from game.world.sand.sand_colours import AMBER, DYED
 
@@ -59,7 +59,7 @@ def painted_cells(table, folder):
         with warnings.catch_warnings(action="ignore"), Image.open(folder / name, formats=FORMATS) as picture:
             _check_size(table, *picture.size)  # before anything is decoded
             pixels = np.asarray(picture.convert("RGBA"))
-    except SceneError:
+    except TableError:
         raise
     except Exception as error:  # Pillow's decoders raise whatever a damaged file makes them trip over
         found = "too many pixels" if isinstance(error, Image.DecompressionBombError) else f"an unreadable {name!r}"

@@ -68,7 +68,7 @@ KNOBS = _side("width"), _side("height"), _margin("across"), _margin("down"), NEC
 
 
 def read(table):
-    """Return the Glass that a Table spells as `as_dict` does; raise SceneError where it does not."""
+    """Return the Glass that a CheckedTable spells as `as_dict` does; raise TableError where it does not."""
     table.allow([field.name for field in fields(Glass)])
     numbers = {each.name: table.number(each.name, each) for each in KNOBS}
     try:

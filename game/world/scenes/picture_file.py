@@ -11,9 +11,9 @@ from typing import NamedTuple
 import numpy as np
 
 from game.world.files.atomic import FileError, load, save
-from game.world.files.checked_table import SceneError, Table
+from game.world.files.checked_table import CheckedTable, TableError
 from game.world.looks.themes import WALL_LOOKS
-from game.world.sand import fixtures, parameters
+from game.world.sand import parameters
 from game.world.sand.parameters import Knob
 from game.world.sand.rule import Rule
 from game.world.sand.sand_colours import nearest_dyes
@@ -31,6 +31,7 @@ from game.world.scenes.cell_arrays import (
     parted,
     resampled,
 )
+from game.world.scenes.fixture_tables import read_fixtures
 from game.world.scenes.scene import Scene
 from game.world.scenes.scene_json import decode_rule
 
@@ -48,7 +49,7 @@ class PictureError(FileError):
     """What is wrong with a picture, as one line."""
 
 
-class Picture(NamedTuple):
+class SeededScene(NamedTuple):
     """What a picture holds."""
 
     scene: Scene
@@ -91,7 +92,7 @@ class Photo:
     pixels: np.ndarray  # (H, W, 4) uint8, no larger than LARGEST_PHOTO
 
     def picture(self, threshold=THRESHOLD.default, in_colours=False):
-        """Return the Picture with sand where the photo is at least that bright, walls down to half of it.
+        """Return the SeededScene with sand where the photo is at least that bright, walls down to half of it.
 
         in_colours: each grain has the dye that looks most like the photo there, instead of all one colour.
         """
@@ -108,7 +109,7 @@ class Photo:
 
 
 def open_picture(path):
-    """Return what a file holds: the Picture of a scene, or a Photo; raise PictureError, with one line, if neither.
+    """Return what a file holds: the SeededScene of a scene, or a Photo; raise PictureError, with one line, if neither.
 
     Cells in the colours of a saved scene are taken as they are; any other picture is a photo, scaled down to fit
     LARGEST_PHOTO.
@@ -123,7 +124,7 @@ def open_picture(path):
 
 
 def load_picture(path, threshold=None):
-    """Return the Picture in a file; raise PictureError, with one line to show, where there is none.
+    """Return the SeededScene in a file; raise PictureError, with one line to show, where there is none.
 
     A photo becomes sand where its brightness is at least `threshold` (default THRESHOLD), walls down to half of it,
     else empty, as what is see-through. A threshold makes any picture a photo.
@@ -139,9 +140,9 @@ def _picture(path, materials, text):
     sand, walls, colours = parted(materials)
     try:
         settings, seed = _settings(path, text)
-    except SceneError as error:
+    except TableError as error:
         raise PictureError(error) from None
-    return Picture(Scene(path.stem, sand=sand, walls=walls, colours=colours, **settings), seed)
+    return SeededScene(Scene(path.stem, sand=sand, walls=walls, colours=colours, **settings), seed)
 
 
 def _read(path, as_photo=False):
@@ -214,15 +215,15 @@ def _settings(path, text):
         fields = {"title": path.stem, "notice": "", "rule": Rule.with_p(0.75, "balanced")}
         return fields | {"speed": parameters.SPEED.default, "cell": parameters.CELL.default}, parameters.SEED.default
     try:
-        table = Table(path, json.loads(text), f"{CHUNK}: ")
+        table = CheckedTable(path, json.loads(text), f"{CHUNK}: ")
     except (ValueError, TypeError, RecursionError):
-        raise SceneError(path, CHUNK, "broken JSON", "the settings of a scene") from None
+        raise TableError(path, CHUNK, "broken JSON", "the settings of a scene") from None
     if not isinstance(table.values, dict):
-        raise SceneError(path, CHUNK, "no object", "the settings of a scene")
+        raise TableError(path, CHUNK, "no object", "the settings of a scene")
     table.number("sandglass", Knob("version", VERSION, 1, VERSION, "(a newer Sandglass wrote it)", "", whole=True))
     table.allow(("sandglass", "title", "notice", "walls", "rule", "seed", "speed", "cell", "fixtures"))
     fields = {"title": table.line("title", path.stem), "notice": table.line("notice", "")}
     fields |= {"rule": decode_rule(table.table("rule")), "speed": table.number("speed", parameters.SPEED)}
     fields["made_of"] = table.choice("walls", WALL_LOOKS, WALL_LOOKS[0])
-    fields |= {"cell": table.number("cell", parameters.CELL), "fixtures": fixtures.read_all(table)}
+    fields |= {"cell": table.number("cell", parameters.CELL), "fixtures": read_fixtures(table)}
     return fields, table.number("seed", parameters.SEED)

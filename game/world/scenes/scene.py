@@ -9,20 +9,20 @@ from zlib import crc32
 
 import numpy as np
 
-from game.world.files.checked_table import SceneError, as_line, read_table
+from game.world.files.atomic import FileError
+from game.world.files.checked_table import TableError, as_line, read_table
 from game.world.files.paths import asset
 from game.world.looks.themes import WALL_LOOKS
-from game.world.sand import fixtures as fixture
 from game.world.sand import parameters
 from game.world.sand.fixtures import DRAIN, TAP
 from game.world.sand.rule import FIELDS, SCHEDULES, Rule
 from game.world.sand.sand_colours import AMBER
 from game.world.sand.world import World
 from game.world.scenes.cell_arrays import EMPTY, painted_cells, parted, resampled, written_cells
+from game.world.scenes.fixture_tables import KEYS as FIXTURE_KEYS
+from game.world.scenes.fixture_tables import checked_number, read_fixture
 from game.world.scenes.hourglass_spec import Glass
 from game.world.scenes.shapes import Scale, middle_of_glass, only_glass, paint
-
-__all__ = ["Scene", "SceneError", "load_scene", "scene_names"]
 
 ORDER = (  # as shown; others follow
     *("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "maze", "tower", "city", "marbles", "delta"),
@@ -33,6 +33,10 @@ SIDES = ("height", "width")
 KEYS = ("title", "notice", *SIDES, *SOURCES, TAP, DRAIN, "walls", "rule", "speed", "cell")
 
 _known = WeakValueDictionary()  # (shape, dtype, checksum): the cells of scenes that are still told of
+
+
+class SceneError(FileError):
+    """What is wrong with a scene file, as one line: FILE: KEY: found X, wanted Y."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -93,6 +97,13 @@ def load_scene(name_or_path, size=None):
     and ValueError for a bad size.
     """
     path = _path(name_or_path)
+    try:
+        return _scene(path, size)
+    except TableError as error:
+        raise SceneError(error) from None
+
+
+def _scene(path, size):
     table = read_table(path)
     table.allow(KEYS)
     rule = _rule(table.table("rule"))
@@ -136,7 +147,8 @@ def _path(name_or_path):
     else:
         path, known = asset("scenes") / f"{text}.toml", "a scene"
     if "\0" in text or not os.path.lexists(path):
-        raise SceneError(text or "''", "scene", "no such file", f"{known}, or one of {', '.join(scene_names())}")
+        wanted = f"{known}, or one of {', '.join(scene_names())}"
+        raise SceneError(f"{text or repr(text)}: scene: found no such file, wanted {wanted}")
     return path
 
 
@@ -178,9 +190,9 @@ def _fixtures(table, own_size, shape):
     found = []
     for kind in (TAP, DRAIN):
         for each in table.tables(kind):
-            each.allow(fixture.KEYS[kind])
-            found.append(fixture.read(each, kind).scaled(shape[1] / own_size[0], shape[0] / own_size[1]))
-    return fixture.checked(found, table, f"{TAP} and {DRAIN}")
+            each.allow(FIXTURE_KEYS[kind])
+            found.append(read_fixture(each, kind).scaled(shape[1] / own_size[0], shape[0] / own_size[1]))
+    return checked_number(found, table, f"{TAP} and {DRAIN}")
 
 
 def _neck(table, shape):

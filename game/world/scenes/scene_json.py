@@ -12,9 +12,10 @@ import numpy as np
 from game.core.planes import DEPTH
 from game.world.files.checked_table import shown
 from game.world.looks.themes import WALL_LOOKS
-from game.world.sand import fixtures, parameters
+from game.world.sand import parameters
 from game.world.sand.rule import FIELDS, SCHEDULES, Rule
 from game.world.scenes import hourglass_spec
+from game.world.scenes.fixture_tables import read_fixtures
 from game.world.scenes.scene import Scene, load_scene, scene_names
 
 SHIPPED = ("name", "size", "start")
@@ -62,7 +63,7 @@ def encode(scene, known):
 
 
 def decode(table, known):
-    """Return the Scene of a record, a Table; raise SceneError where it is not one, or a shipped scene has changed."""
+    """Return the Scene that a CheckedTable records; raise TableError if it is none, or a shipped scene has changed."""
     if "again" in table:
         table.allow(("again",))
         start = table.choice("again", tuple(known) or ("a scene told of before",))
@@ -73,7 +74,7 @@ def decode(table, known):
 
 
 def decode_rule(table):
-    """Return the Rule that a Table spells out in full."""
+    """Return the Rule that a CheckedTable spells out in full."""
     table.allow(FIELDS)
     numbers = {each.name: table.number(each.name, each) for each in parameters.PROBABILITIES}
     return Rule(**numbers, schedule=table.choice("schedule", tuple(SCHEDULES)))
@@ -120,7 +121,7 @@ def _embedded(table):
         speed=table.number("speed", parameters.SPEED),
         cell=table.number("cell", parameters.CELL),
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
-        fixtures=fixtures.read_all(table),
+        fixtures=read_fixtures(table),
         glass=hourglass_spec.read(table.table("glass")) if "glass" in table else None,
         neck=table.number("neck", NECK) if "neck" in table else None,
     )

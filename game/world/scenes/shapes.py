@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from game.world.files.checked_table import Table
+from game.world.files.checked_table import CheckedTable
 from game.world.sand.parameters import SIDE, Knob
 from game.world.sand.sand_colours import AMBER
 from game.world.sand.sand_colours import COLOURS as DYES
@@ -35,9 +35,9 @@ class Scale:
 
 
 def paint(cells, table, scale):
-    """Paint on `cells`, in place, the shape that `table` describes; raise SceneError where it does not."""
+    """Paint on `cells`, in place, the shape that `table` describes; raise TableError where it does not."""
     kind = table.choice("kind", ("hourglass", *KINDS))
-    table = Table(table.file, table.values, f"{table.where[:-1]} ({kind}).")
+    table = CheckedTable(table.file, table.values, f"{table.where[:-1]} ({kind}).")
     for each in _repeated(table):
         _paint_once(cells, kind, each, scale)
 
@@ -49,10 +49,10 @@ def _repeated(table):
         raise table.error("repeat", f"{across}·{down}", f"{REPEAT.high} at most in all")
     x, y = table.pair("step", PLACE, (0.0, 0.0))
     plain = {key: value for key, value in table.values.items() if key not in ("repeat", "step")}
-    yield Table(table.file, plain, table.where)  # checked as it is written, before it is moved
+    yield CheckedTable(table.file, plain, table.where)  # checked as it is written, before it is moved
     for number in range(1, across * down):
         by = number % across * x, number // across * y
-        yield Table(table.file, plain | _moved(plain, *by), table.where)
+        yield CheckedTable(table.file, plain | _moved(plain, *by), table.where)
 
 
 def _moved(values, x, y):

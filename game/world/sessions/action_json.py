@@ -2,12 +2,12 @@
 
 from itertools import pairwise
 
-from game.world.files.checked_table import Table, shown
-from game.world.sand import fixtures as fixture
+from game.world.files.checked_table import CheckedTable, shown
 from game.world.sand import parameters
 from game.world.sand.parameters import Knob
 from game.world.sand.sand_colours import AMBER, DYES
 from game.world.scenes import hourglass_spec, scene_json
+from game.world.scenes.fixture_tables import read_fixtures
 from game.world.sessions.action import (
     FIGURES,
     KINDS,
@@ -84,7 +84,7 @@ def encode_story(entries, known):
 
 
 def decode(table, known):
-    """Return the entries, one or more, that a record tells of, a Table; raise SceneError where it is none."""
+    """Return the entries, one or more, that a record tells of, a CheckedTable; raise TableError where it is none."""
     at = table.number("at", parameters.MOMENT)
     kind = table.choice(
         "do", ("paint", "stroke", "draw", "fill", "turn", "reshape", "fixtures", "rule", "load", *PLAIN)
@@ -110,7 +110,7 @@ def decode(table, known):
         what = Reshape(hourglass_spec.read(table.table("glass")), _flag(table, "refill"))
     elif kind == "fixtures":
         table.allow(("at", "do", "join", "fixtures"))
-        what = SetFixtures(fixture.read_all(table))
+        what = SetFixtures(read_fixtures(table))
     elif kind == "rule":
         table.allow(("at", "do", "join", "rule"))
         what = SetRule(scene_json.decode_rule(table.table("rule")))
@@ -181,7 +181,7 @@ def _decode_stroke(table, at, joined):
     for point in path:
         if not isinstance(point, list) or len(point) != 3:
             raise table.error("path", shown(point), wanted)
-        numbers = Table(table.file, dict(zip(("wait", "x", "y"), point, strict=True)), f"{table.where}path.")
+        numbers = CheckedTable(table.file, dict(zip(("wait", "x", "y"), point, strict=True)), f"{table.where}path.")
         at = at + numbers.number("wait", parameters.MOMENT)
         place = numbers.number("x", PLACE), numbers.number("y", PLACE)
         if before:
@@ -225,7 +225,7 @@ def _decode_place(table, key):
     value = table.values.get(key)
     if not isinstance(value, list) or len(value) != 2:
         raise table.error(key, shown(value), "a place [x, y]")
-    numbers = Table(table.file, dict(zip("xy", value, strict=True)), f"{table.where}{key}.")
+    numbers = CheckedTable(table.file, dict(zip("xy", value, strict=True)), f"{table.where}{key}.")
     return numbers.number("x", PLACE), numbers.number("y", PLACE)
 
 

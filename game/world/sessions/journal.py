@@ -18,7 +18,7 @@ from game.world.files.atomic import FileError, load, lock, trouble
 from game.world.files.paths import folder_of
 from game.world.sessions.history import WAIT
 from game.world.sessions.recording import SUFFIX, parse
-from game.world.sessions.session_format import LARGEST_FILE, Pen, ReplayError
+from game.world.sessions.session_format import LARGEST_FILE, LineWriter, ReplayError
 
 SYNC_S = 2.0  # a power cut takes no more than this; less wears the disk
 WAIT_S = 1.0  # between two notes that time went on: after a crash a session goes on from there
@@ -55,7 +55,7 @@ class Journal:
             prune(folder)
             stamp = datetime.now(UTC).strftime("%Y-%m-%dT%H-%M-%S.%f")
             path = folder / f"{stamp}-{os.getpid()}{SUFFIX}"
-            journal = cls(path, _open(path, os.O_CREAT | os.O_EXCL), Pen())
+            journal = cls(path, _open(path, os.O_CREAT | os.O_EXCL), LineWriter())
         except OSError as error:
             raise JournalError(trouble(folder, "cannot keep a journal", error)) from None
         lock(journal._handle)
@@ -77,7 +77,7 @@ class Journal:
             raise JournalError(error) from None
         except OSError as error:
             raise JournalError(trouble(path, "cannot take up the journal", error)) from None
-        journal = cls(path, handle, Pen(checksum, known))
+        journal = cls(path, handle, LineWriter(checksum, known))
         try:
             if not lock(handle):
                 raise OSError("another window has it open")

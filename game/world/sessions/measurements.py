@@ -23,7 +23,7 @@ COLUMNS = (
 PROFILE_COLUMNS = "column", "pile_height_cells"
 
 
-class Sample(NamedTuple):
+class Measurement(NamedTuple):
     """What was measured at one moment. The row that parts above from below is the watch's."""
 
     now: int  # iterations since the session began
@@ -37,7 +37,7 @@ class Sample(NamedTuple):
     by_colour: tuple  # the grains of each colour
 
 
-class Watch:
+class Measurements:
     """Samples of a session, the earliest first."""
 
     def __init__(self, session, row):
@@ -55,7 +55,7 @@ class Watch:
         act = session.timeline.history.latest(session.now)
         by_colour = world.grains_by_colour
         below = sum(by_colour) - above
-        self.samples.append(Sample(session.now, seconds, above, below, height, slope, frame_ms, act, by_colour))
+        self.samples.append(Measurement(session.now, seconds, above, below, height, slope, frame_ms, act, by_colour))
         if len(self.samples) > MOST:
             self.samples = _thinned(self.samples)
 

@@ -4,7 +4,7 @@ import time
 from dataclasses import dataclass, replace
 
 from game.world.sand.advance import NO_TRAFFIC, advance
-from game.world.sand.grain_account import Account
+from game.world.sand.grain_account import GrainAccount
 from game.world.sand.rule import Rule
 from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import scene_of
@@ -19,7 +19,7 @@ class Moment:
     world: World
     rule: Rule
     scene: Scene
-    account: Account
+    account: GrainAccount
     loaded_at: int = 0  # iterations of the session before the world was loaded
     work_ns: int = 0  # what it took to compute the way from the session's start to here
 
@@ -27,7 +27,7 @@ class Moment:
     def start(cls, scene, seed):
         """Return the first moment of a session."""
         world = scene.world(seed)
-        return cls(world, scene.rule, scene, Account(world.grains_by_colour))
+        return cls(world, scene.rule, scene, GrainAccount(world.grains_by_colour))
 
     @property
     def now(self):
@@ -49,7 +49,7 @@ class Moment:
         start, now = time.perf_counter_ns(), self.now
         self.world, self.rule, change = perform(action, self.world, self.rule)
         if isinstance(action, Load):
-            self.scene, self.loaded_at, self.account = action.scene, now, Account(self.world.grains_by_colour)
+            self.scene, self.loaded_at, self.account = action.scene, now, GrainAccount(self.world.grains_by_colour)
         elif any(change):
             self.account = self.account.booked(change)
         if isinstance(action, Reshape):
@@ -67,7 +67,7 @@ class Lookahead:
 
     @property
     def world(self):
-        """The world at this point of the course: another object after an act that loads one."""
+        """The world at this point of the lookahead: another object after an act that loads one."""
         return self.moment.world
 
     @property
@@ -81,7 +81,7 @@ class Lookahead:
         return self._acts[0].at if self._acts else None
 
     def copy(self):
-        """Return a course of its own from the same point."""
+        """Return a lookahead of its own from the same point."""
         return Lookahead(replace(self.moment, world=self.moment.world.copy()), self._acts)
 
     def run_to(self, now):

@@ -2,10 +2,10 @@
 
 from dataclasses import dataclass, field
 
-from game.world.files.atomic import load, save
-from game.world.files.checked_table import SceneError
+from game.world.files.atomic import FileError, load, save
+from game.world.files.checked_table import TableError
 from game.world.scenes.scene import Scene
-from game.world.sessions.session_format import LARGEST_FILE, VERSION, Pen, Reader, ReplayError
+from game.world.sessions.session_format import LARGEST_FILE, VERSION, LineReader, LineWriter, ReplayError
 
 __all__ = ["SUFFIX", "Recording", "ReplayError", "load_replay", "parse", "recording_of", "save_replay"]
 
@@ -40,7 +40,7 @@ def save_replay(path, session):
 
 def to_bytes(recording):
     """Return the file of a Recording that has an end."""
-    pen = Pen()
+    pen = LineWriter()
     lines = pen.header(recording.scene, recording.seed), pen.story(recording.entries)
     return b"".join(lines) + pen.end(recording.end, recording.digest)
 
@@ -61,7 +61,7 @@ def parse(data, file):
 
     A last line that was not written to its end is left out without a word. Raises ReplayError as `load_replay` does.
     """
-    reader = Reader(file)
+    reader = LineReader(file)
     lines = data.split(b"\n")
     torn = lines.pop()
     if not lines:
@@ -69,14 +69,14 @@ def parse(data, file):
         raise ReplayError(f"{reader.file}: line 1: found {found}, wanted the first line of a session file")
     try:
         recording = Recording(*reader.header(lines[0]))
-    except SceneError as error:
+    except TableError as error:
         raise ReplayError(error) from None
     kept = len(lines[0]) + 1
     try:
         for line in lines[1:]:
             _add(recording, reader, line)
             kept += len(line) + 1
-    except (ReplayError, SceneError) as error:
+    except FileError as error:
         recording.problem = f"{error}; the {reader.number - 1} lines before it were kept"
     if reader.version > VERSION:
         recording.problem = (

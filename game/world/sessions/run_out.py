@@ -9,6 +9,7 @@ from game.core.chance import threshold
 from game.core.planes import SAND, WALLS
 from game.world.sand import parameters
 from game.world.sand.advance import advance
+from game.world.sand.ensemble import Cancelled
 from game.world.sand.fixtures import TAP
 from game.world.sand.neck import find_neck
 
@@ -20,12 +21,8 @@ MOST_NS = 30 * 10**9  # work after which the search is given up
 MOST_NS_BY_TAPS = 2 * 10**9  # the same where taps pour: such sand hardly ever ends
 
 
-class Cancelled(Exception):  # noqa: N818 (it is a wish granted, not an error)
-    """Raised by a search whose `cancelled` returned true."""
-
-
 @dataclass(frozen=True)
-class Ending:
+class RunOut:
     """What is known of a session's way to its last grain."""
 
     start: int  # the iteration of the session at which the search began
@@ -41,50 +38,50 @@ class Ending:
         return self.at - self.start
 
 
-def find_ending(course, cancelled=None, most_iterations=MOST_ITERATIONS, most_ns=MOST_NS):
-    """Return the Ending of a Course, which is used up.
+def find_run_out(lookahead, cancelled=None, most_iterations=MOST_ITERATIONS, most_ns=MOST_NS):
+    """Return the RunOut of a Lookahead, which is used up.
 
     Grains that stick for ever do not count: the ending is the last iteration at which anything changes above the neck
     or, where there is no neck, anywhere; the last act still to come is one that does. cancelled(), if given, is asked
     every few milliseconds; once it returns true, Cancelled is raised.
     """
-    start, work_ns = course.now, course.moment.work_ns
-    if any(each.kind == TAP for each in course.world.fixtures):
+    start, work_ns = lookahead.now, lookahead.moment.work_ns
+    if any(each.kind == TAP for each in lookahead.world.fixtures):
         most_ns = min(most_ns, MOST_NS_BY_TAPS)
-    if course.last_act is not None:
-        _run_in_batches(course, course.last_act, cancelled)
-    last_act, neck = course.now, find_neck(course.world)
+    if lookahead.last_act is not None:
+        _run_in_batches(lookahead, lookahead.last_act, cancelled)
+    last_act, neck = lookahead.now, find_neck(lookahead.world)
     sign = _sign(neck)
-    before, left, endless = _last_change(course, sign, cancelled, start + most_iterations, work_ns + most_ns)
-    at = last_act if before is None else _exactly(before, course.now, sign, left)
-    spent_ns = course.moment.work_ns - work_ns
+    before, left, endless = _last_change(lookahead, sign, cancelled, start + most_iterations, work_ns + most_ns)
+    at = last_act if before is None else _exactly(before, lookahead.now, sign, left)
+    spent_ns = lookahead.moment.work_ns - work_ns
     stay = left if neck else 0
-    return Ending(start, at, neck is not None, endless, spent_ns / max(1, course.now - start), stay)
+    return RunOut(start, at, neck is not None, endless, spent_ns / max(1, lookahead.now - start), stay)
 
 
-def _exactly(course, end, sign, left):
+def _exactly(lookahead, end, sign, left):
     """Return the last iteration up to `end` at which the sign changes; from there on it is `left`."""
-    if not course.world.fixtures:
-        return first_moment(course, end, lambda world: sign(world) == left)
-    last, before = course.now, sign(course.world)
-    while course.now < end:  # a tap brings back what has passed, so that no half can be left out
-        course.run_to(course.now + 1)
-        if sign(course.world) != before:
-            last, before = course.now, sign(course.world)
+    if not lookahead.world.fixtures:
+        return first_moment(lookahead, end, lambda world: sign(world) == left)
+    last, before = lookahead.now, sign(lookahead.world)
+    while lookahead.now < end:  # a tap brings back what has passed, so that no half can be left out
+        lookahead.run_to(lookahead.now + 1)
+        if sign(lookahead.world) != before:
+            last, before = lookahead.now, sign(lookahead.world)
     return last
 
 
-def first_moment(course, end, reached):
+def first_moment(lookahead, end, reached):
     """Return the first iteration up to `end` at which `reached(world)` is true, and stays so; it is by `end`."""
-    if reached(course.world):
-        return course.now
-    while end - course.now > 1:
-        middle = course.copy()
-        middle.run_to((course.now + end) // 2)
+    if reached(lookahead.world):
+        return lookahead.now
+    while end - lookahead.now > 1:
+        middle = lookahead.copy()
+        middle.run_to((lookahead.now + end) // 2)
         if reached(middle.world):
             end = middle.now
         else:
-            course = middle
+            lookahead = middle
     return end
 
 
@@ -113,34 +110,34 @@ def _sand(world):
     return rows[:, :, : where.words]
 
 
-def _last_change(course, sign, cancelled, last, last_ns):
-    """Run until no sand can pass; return (course before the batch with the last change or None, final sign, endless).
+def _last_change(lookahead, sign, cancelled, last, last_ns):
+    """Run until no sand can pass; return (lookahead before the batch of the last change, or None; final sign; endless).
 
     last, last_ns: the iteration and the work at which the search is given up.
     """
-    before, left, batch = None, sign(course.world), BATCH
-    while left and not at_rest(course.world, course.moment.rule):
-        if course.now >= last or course.moment.work_ns >= last_ns:
+    before, left, batch = None, sign(lookahead.world), BATCH
+    while left and not at_rest(lookahead.world, lookahead.moment.rule):
+        if lookahead.now >= last or lookahead.moment.work_ns >= last_ns:
             return before, left, True
         _check(cancelled)
-        kept, began = course.copy(), course.moment.work_ns
-        course.run_to(course.now + batch)
-        now = sign(course.world)
+        kept, began = lookahead.copy(), lookahead.moment.work_ns
+        lookahead.run_to(lookahead.now + batch)
+        now = sign(lookahead.world)
         if now != left:
             before, left = kept, now
-        if course.moment.work_ns - began < BATCH_NS:
+        if lookahead.moment.work_ns - began < BATCH_NS:
             batch *= 2
     return before, left, False
 
 
-def _run_in_batches(course, end, cancelled):
-    while course.now < end:
+def _run_in_batches(lookahead, end, cancelled):
+    while lookahead.now < end:
         _check(cancelled)
         began = time.perf_counter_ns()
         batch = BATCH
-        while course.now < end and time.perf_counter_ns() - began < BATCH_NS:
-            course.run_to(min(end, course.now + batch))
-    course.run_to(end)
+        while lookahead.now < end and time.perf_counter_ns() - began < BATCH_NS:
+            lookahead.run_to(min(end, lookahead.now + batch))
+    lookahead.run_to(end)
 
 
 def _check(cancelled):

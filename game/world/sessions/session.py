@@ -23,7 +23,7 @@ class Session:
         self.due = self.done = 0  # iterations of the last frame: wanted, and run
         self.journal = None  # the Journal that hears of every act, if any
         self.trouble = None  # why the journal has stopped, in one line; the sand goes on
-        self.streams = None  # the Streams that watch the last iterations of a frame, if any
+        self.streams = None  # the MotionSamples that watch the last iterations of a frame, if any
         self._paced = scene  # whose pace the clock keeps
 
     @classmethod
@@ -131,7 +131,7 @@ class Session:
     @property
     def past_bytes(self):
         """What the snapshots of the past take."""
-        return self.timeline.shelf.bytes
+        return self.timeline.snapshots.bytes
 
     def frame(self, elapsed_ns, budget_ns=None, due=None):
         """Run the iterations that fell due in `elapsed_ns`, or the `due` ones, paused or not; return their number.

@@ -5,7 +5,7 @@ import re
 import zlib
 
 from game.world.files.atomic import FileError
-from game.world.files.checked_table import Table, shown
+from game.world.files.checked_table import CheckedTable, shown
 from game.world.sand import parameters
 from game.world.sand.parameters import Knob
 from game.world.scenes import scene_json
@@ -21,7 +21,7 @@ class ReplayError(FileError):
     """What is wrong with a session file, as one line: FILE: line N: KEY: found X, wanted Y."""
 
 
-class Pen:
+class LineWriter:
     """Writes the lines of one file, in order."""
 
     def __init__(self, checksum=0, known=None):
@@ -50,8 +50,8 @@ class Pen:
         return b'%s,"sum":"%08x"}\n' % (body, self.checksum)
 
 
-class Reader:
-    """Reads the lines of one file, in order; raises ReplayError or SceneError for the first that is wrong."""
+class LineReader:
+    """Reads the lines of one file, in order; raises ReplayError or TableError for the first that is wrong."""
 
     def __init__(self, file):
         self.file = file
@@ -78,7 +78,7 @@ class Reader:
         return table.number("at", parameters.MOMENT), digest
 
     def _opened(self, line):
-        """Return the Table of a line whose seal is whole."""
+        """Return the CheckedTable of a line whose seal is whole."""
         self.number += 1
         where = f"line {self.number}"
         seal = SEALED.fullmatch(line)
@@ -92,4 +92,4 @@ class Reader:
         except (ValueError, RecursionError):
             raise ReplayError(f"{self.file}: {where}: found broken JSON, wanted an object") from None
         self.checksum = checksum
-        return Table(self.file, values, f"{where}: ")
+        return CheckedTable(self.file, values, f"{where}: ")

@@ -47,7 +47,7 @@ def nearest(act, now):
     return None
 
 
-class Shelf:
+class SnapshotStore:
     """Snapshots, never more than `budget` bytes of them."""
 
     def __init__(self, budget):

@@ -7,13 +7,13 @@ from game.world.sand import parameters
 from game.world.sessions.action import Clear, Draw, Paint, Reshape, SetFixtures, SetRule
 from game.world.sessions.history import Entry, History
 from game.world.sessions.moment import Lookahead, Moment
-from game.world.sessions.snapshots import MEGABYTE, Shelf, Snapshot, nearest
+from game.world.sessions.snapshots import MEGABYTE, Snapshot, SnapshotStore, nearest
 
 # Work between two snapshots: a seek computes no more than that. Half as much doubles the memory for ten minutes of a
 # full screen (280 KB each); three times as much makes a rewind stutter.
 SPACING_NS = 20_000_000
 CLOSE_NS = 4_000_000  # work between two snapshots of the trail: each frame of a rewind computes no more than that
-LONGEST_TRAIL = 16  # snapshots; a rewind needs those between here and the nearest one of the shelf
+LONGEST_TRAIL = 16  # snapshots; a rewind needs those between here and the nearest one of the store
 SHARE = 20  # a snapshot costs at most one part in so many of the work: on a huge lattice it takes long to copy
 SLICE_NS = 1_000_000  # work between two looks at the time; more overruns a frame's budget, less costs calls
 LONGEST_SLICE = 2048  # iterations: sand at rest costs nothing, and may start to move at any time
@@ -26,14 +26,14 @@ class Timeline:
     def __init__(self, scene, seed=0, memory_mb=parameters.MEMORY.default):
         self.history = History()
         self.moment = Moment.start(scene, seed)
-        self.shelf = Shelf(memory_mb * MEGABYTE)
+        self.snapshots = SnapshotStore(memory_mb * MEGABYTE)
         self.goal = None  # the iteration of an unfinished seek
         self.reached = 0  # the last iteration known of the present line
         self.start = scene, seed  # what the session began with
         self._here = self.history.root  # the last act that the moment has seen
         self._ahead = []  # acts of the line yet to come, the nearest last
         self.rewinding = False  # time runs backwards, every frame is an earlier moment: leave a trail on the way there
-        self._trail = deque(maxlen=LONGEST_TRAIL)  # snapshots beside those of the shelf, the earliest first
+        self._trail = deque(maxlen=LONGEST_TRAIL)  # snapshots beside those of the store, the earliest first
         self._keeping_ns = 0  # what it took to keep the last snapshot
         self._kept_work_ns = 0  # the moment's work when the last snapshot was kept
         self._iteration_ns = float(SLICE_NS)  # what one took lately; until it is known, they go one by one
@@ -47,15 +47,15 @@ class Timeline:
     @property
     def memory_mb(self):
         """The most that snapshots may take, in millions of bytes."""
-        return self.shelf.budget / MEGABYTE
+        return self.snapshots.budget / MEGABYTE
 
     @memory_mb.setter
     def memory_mb(self, most):
-        self.shelf.fit(parameters.MEMORY.check(most) * MEGABYTE, self.history.line)
+        self.snapshots.fit(parameters.MEMORY.check(most) * MEGABYTE, self.history.line)
 
     def drop_past(self):
         """Drop all snapshots: the past is computed anew from the start."""
-        self.shelf.empty()
+        self.snapshots.empty()
         self._trail.clear()
 
     def run(self, iterations, budget_ns=None):
@@ -105,7 +105,7 @@ class Timeline:
         """Let this moment be the latest known, unless the line has acts still to come."""
         self.reached = max(self.now, self.history.line.at)
 
-    def course(self):
+    def lookahead(self):
         """Return the Lookahead from here on, to be computed apart from the session."""
         self.catch_up()
         return Lookahead(self.moment, self._ahead).copy()
@@ -204,7 +204,7 @@ class Timeline:
             self._kept_work_ns = before.work_ns
             return
         start = time.perf_counter_ns()
-        self.shelf.keep(self.moment, self._here, self.history.line)
+        self.snapshots.keep(self.moment, self._here, self.history.line)
         self._keeping_ns = time.perf_counter_ns() - start
         self._kept_work_ns = self.moment.work_ns
 

@@ -14,7 +14,7 @@ from game.world.sand.neck import find_neck
 from game.world.sand.rule import Rule
 from game.world.scenes.hourglass_maker import scene_of
 from game.world.sessions.action import Flip, SetRule
-from game.world.sessions.run_out import Cancelled, at_rest, find_ending
+from game.world.sessions.run_out import Cancelled, at_rest, find_run_out
 from game.world.sessions.session import Session
 from tests.cells import small_glass
 from tests.play.player import Player
@@ -217,7 +217,7 @@ def test_undo_and_replay_agree_with_time_that_ran_ahead(watcher):
 
 
 def test_an_ending_foreseen_is_where_the_flow_ends(watcher):
-    ending = find_ending(watcher.session.timeline.course())
+    ending = find_run_out(watcher.session.timeline.lookahead())
     watcher.session.seek(ending.at - 1)
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher)
@@ -272,7 +272,7 @@ def test_an_iteration_for_which_there_was_no_memory_lets_time_go_on(watcher, mon
 def test_a_plan_for_what_is_no_longer_so_is_given_up(watcher, monkeypatch):
     given_up, too_long = threading.Event(), time.monotonic() + 20
 
-    def endless(course, cancelled):
+    def endless(lookahead, cancelled):
         while time.monotonic() < too_long:
             if cancelled():
                 given_up.set()

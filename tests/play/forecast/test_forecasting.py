@@ -10,7 +10,7 @@ from game import Rule
 from game.core.draw.heatmap import ALWAYS, NEVER
 from game.play.forecast import legend
 from game.play.forecast.forecasting import STALE_S, Forecasting
-from game.world.background.forecast_thread import Forecaster
+from game.world.background.forecast_thread import ForecastThread
 from game.world.looks.heatmap_colours import cover
 from game.world.looks.painter import rgb
 from game.world.looks.themes import THEMES
@@ -41,13 +41,13 @@ def pixels_of(player):
 
 
 def see_forecast(player, runs=10_000):
-    """Wait for the forecast of the present moment and return the Answer."""
+    """Wait for the forecast of the present moment and return the Forecast."""
     forecasting = player.toy.forecasting
     if not forecasting.shown:
         player.key(pygame.K_h, "h")
     for _ in range(4000):
         answer = forecasting.answer
-        asked = answer and (answer.question.about[0], answer.question.start, answer.runs)
+        asked = answer and (answer.request.about[0], answer.request.start, answer.runs)
         if asked == (forecasting._matter(), player.world.iteration, runs):
             player.frame(elapsed_ns=0)
             return answer
@@ -56,7 +56,7 @@ def see_forecast(player, runs=10_000):
     raise AssertionError("no forecast")
 
 
-class Stuck(Forecaster):
+class Stuck(ForecastThread):
     """A forecaster whose runs take forever, unless they are let go."""
 
     def __init__(self):

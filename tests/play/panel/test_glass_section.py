@@ -6,7 +6,7 @@ import pytest
 from game.play.panel.glass_section import running_time
 from game.world.scenes.hourglass_maker import HEIGHT
 from game.world.scenes.scene import load_scene
-from game.world.sessions.run_out import find_ending
+from game.world.sessions.run_out import find_run_out
 from tests.play.player import Player
 
 
@@ -65,7 +65,7 @@ def test_a_glass_too_small_for_its_sand_is_filled_anew(maker):
 def test_how_long_it_runs_is_told(maker):
     drag(maker, "Glass size", 0.5)
     maker.wait(2)
-    left = find_ending(maker.session.timeline.course()).at - maker.session.now
+    left = find_run_out(maker.session.timeline.lookahead()).at - maker.session.now
     seconds = round(left / maker.session.clock.speed)
     assert f"Runs for {seconds // 60}:{seconds % 60:02} more" in running_time(maker.toy)
 

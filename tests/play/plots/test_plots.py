@@ -13,7 +13,7 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.theme import Theme
 from game.play.window.layout import Layout
-from game.world.sand.grain_account import Account
+from game.world.sand.grain_account import GrainAccount
 from game.world.sessions.action import Clear, Paint
 from game.world.sessions.measurements import COLUMNS
 from tests.play.player import Player
@@ -45,7 +45,7 @@ def test_l_shows_them_and_takes_them_away(glass):
 
 
 def test_closed_they_measure_nothing(glass, monkeypatch):
-    monkeypatch.setattr("game.play.plots.plots.Watch.follow", None)  # would not be called in vain
+    monkeypatch.setattr("game.play.plots.plots.Measurements.follow", None)  # would not be called in vain
     glass.wait(40)
 
 
@@ -144,7 +144,7 @@ def coloured(size, scale, factor):
     player.session.do(Paint("erase", (40.0, 30.0), (120.0, 70.0), 9))
     account = player.session.account
     tallies = {field.name: tuple(factor * each for each in getattr(account, field.name)) for field in fields(account)}
-    player.session.timeline.moment.account = Account(**tallies)
+    player.session.timeline.moment.account = GrainAccount(**tallies)
     player.wait(40)
     samples = player.toy.plots._watch.samples
     samples[:] = [each._replace(frame_ms=9.0) for each in samples]  # on whatever machine

@@ -263,7 +263,7 @@ def test_many_replays_take_no_more_memory_and_the_players_own_sand_stays_behind_
         player.wait(20)
     former = list(player.toy.sessions.waiting)
     assert former[0] is own and len(former) == MOST_WAITING
-    assert all(session.timeline.shelf.bytes <= MEGABYTE for session in former)
+    assert all(session.timeline.snapshots.bytes <= MEGABYTE for session in former)
     memory = player.session.timeline.memory_mb
     while player.toy.sessions.leave():
         player.frame()
@@ -275,12 +275,12 @@ def test_a_session_that_waits_gives_its_past_back_and_computes_it_anew(glass, mo
     monkeypatch.setattr(timeline, "SHARE", 0)
     own = glass.session
     glass.click(glass.pixel(60, 40))
-    while own.timeline.shelf.bytes <= 2 * MEGABYTE:
+    while own.timeline.snapshots.bytes <= 2 * MEGABYTE:
         own.timeline.run(50)
     end, sand = own.now, own.world.digest()
     glass.toy.files.play_demo(demos()[0])
     glass.settle()
-    assert glass.session is not own and own.timeline.shelf.bytes <= MEGABYTE
+    assert glass.session is not own and own.timeline.snapshots.bytes <= MEGABYTE
     glass.toy.sessions.leave()
     own.seek(1)
     own.seek(end)

@@ -219,7 +219,7 @@ def test_sand_that_cannot_pass_is_told_of(waiting):
 
 
 def test_a_scene_without_end_is_told_of(waiting, monkeypatch):
-    monkeypatch.setattr("game.world.sessions.run_out.find_ending.__defaults__", (None, 4000, 10**10))
+    monkeypatch.setattr("game.world.sessions.run_out.find_run_out.__defaults__", (None, 4000, 10**10))
     waiting.toy.sessions.do(SetRule(Rule.with_p(1e-7, "balanced")))
     waiting.start(2)
     assert "does not come to an end" in waiting.toy.notices.text

@@ -60,7 +60,7 @@ LASTING = """
 import gc, time
 import pygame
 from game.play.loop import run
-from game.world.background.compile_worker import Worker
+from game.world.background.compile_worker import StepThread
 
 class ShortGame:
     running = True
@@ -75,7 +75,7 @@ def pass_s():
 pygame.display.init()
 lasting = [[] for _ in range(300_000)]
 before = pass_s()
-ready = Worker([])
+ready = StepThread([])
 assert ready.wait(10)
 run(ShortGame(), ready)
 assert pass_s() < before / 5
@@ -101,14 +101,14 @@ player = Player("fountain")
 spare_what_lasts()
 for _ in range(50):
     player.session.timeline.run(50)
-left = player.session.timeline.shelf
+left = player.session.timeline.snapshots
 assert len(left) >= 50
 player.drop(sorted(asset("replays").glob("*.sandglass"))[0])
 player.settle()
-assert player.session.timeline.shelf is not left
+assert player.session.timeline.snapshots is not left
 gc.collect()
 kept = sum(isinstance(each, Snapshot) for each in gc.get_objects())
-assert kept <= len(player.session.timeline.shelf), kept
+assert kept <= len(player.session.timeline.snapshots), kept
 """
 
 

@@ -4,7 +4,7 @@ import time
 
 import pytest
 
-from game.world.background.compile_worker import Companion, Worker
+from game.world.background.compile_worker import CompileWorker, StepThread
 
 
 def note(tell, path):
@@ -25,7 +25,7 @@ def test_each_step_waits_for_the_companion_or_its_end(work, there, tmp_path):
     path = tmp_path / "steps"
     path.touch()
     seen = []
-    companion = Companion(work, path)
+    companion = CompileWorker(work, path)
     for _, act in companion.beside([(word, lambda: seen.append(" ".join(path.read_text().split()))) for word in "ab"]):
         act()
     assert len(seen) == 2 and all(now.startswith(then) for now, then in zip(seen, there, strict=True))
@@ -37,8 +37,8 @@ def never(tell, path):
 
 
 def test_who_waits_for_a_companion_is_let_go_and_compiles_nothing(tmp_path):
-    companion, seen = Companion(never, tmp_path), []
-    worker = Worker(companion.beside([("a step", lambda: seen.append(1))] * 2))
+    companion, seen = CompileWorker(never, tmp_path), []
+    worker = StepThread(companion.beside([("a step", lambda: seen.append(1))] * 2))
     assert not worker.wait(0.05)
     companion.close()
     worker.stop()
@@ -47,7 +47,7 @@ def test_who_waits_for_a_companion_is_let_go_and_compiles_nothing(tmp_path):
 
 def test_a_stopped_worker_ends_the_step_it_is_at_and_begins_no_other():
     seen = []
-    worker = Worker([("a step", lambda: (time.sleep(0.1), seen.append(1)))] * 3)
+    worker = StepThread([("a step", lambda: (time.sleep(0.1), seen.append(1)))] * 3)
     time.sleep(0.02)
     worker.stop()
     assert seen == [1] and worker.wait(0)

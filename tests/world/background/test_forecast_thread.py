@@ -7,8 +7,8 @@ import pytest
 
 from game import Rule, advance
 from game.world.background import forecast_thread
-from game.world.background.forecast_thread import Forecaster, Question, standard_error
-from game.world.sand.crop import Part, Still, forecast_part
+from game.world.background.forecast_thread import ForecastRequest, ForecastThread, standard_error
+from game.world.sand.crop import Crop, CropBox, forecast_box
 from game.world.sand.ensemble import Cancelled, certain, counts_at, growing_counts
 from tests.cells import random_world
 
@@ -17,11 +17,11 @@ PATIENCE_S = 20
 
 @pytest.fixture
 def asked():
-    """Return a function that makes a Forecaster, which ends with the test."""
+    """Return a function that makes a ForecastThread, which ends with the test."""
     made = []
 
     def make(*arguments):
-        made.append(Forecaster(*arguments))
+        made.append(ForecastThread(*arguments))
         return made[-1]
 
     yield make
@@ -31,8 +31,8 @@ def asked():
 
 def question_of(world, rule=None, ahead=30, runs=3000, about=None):
     height, width = world.shape
-    still = Still(world, Part(0, 0, height, width))
-    return Question(still, rule or Rule.with_p(0.5), ahead, world.iteration, world.seed, runs, about)
+    crop = Crop(world, CropBox(0, 0, height, width))
+    return ForecastRequest(crop, rule or Rule.with_p(0.5), ahead, world.iteration, world.seed, runs, about)
 
 
 def wait_for(condition):
@@ -109,7 +109,7 @@ def test_a_question_that_hurries_pushes_the_others_aside(asked):
     wait_for(lambda: len(counting.asked) == 2)
     counting.go.release(2)
     wait_for(lambda: not one.working)
-    assert counting.asked == [1, 4] and one.answer.question.ahead == 4 and one.answer.runs == 3000
+    assert counting.asked == [1, 4] and one.answer.request.ahead == 4 and one.answer.runs == 3000
 
 
 def test_a_question_that_had_its_time_gives_way_to_a_newer_one(asked, monkeypatch):
@@ -121,7 +121,7 @@ def test_a_question_that_had_its_time_gives_way_to_a_newer_one(asked, monkeypatc
     one.ask(question_of(world, ahead=2))
     counting.go.release()
     assert counting.started.acquire(timeout=PATIENCE_S)
-    assert one.answer.question.ahead == 1 and one.answer.runs == 1500
+    assert one.answer.request.ahead == 1 and one.answer.runs == 1500
 
 
 def test_a_question_that_nobody_asks_any_more_is_dropped(asked, monkeypatch):
@@ -147,7 +147,7 @@ def test_a_forecast_that_does_not_fit_in_memory_keeps_none_from_the_next(asked):
     one.ask(question_of(world))
     wait_for(lambda: not one.working)
     one.ask(question_of(world, ahead=7))
-    wait_for(lambda: one.answer and one.answer.question.ahead == 7)
+    wait_for(lambda: one.answer and one.answer.request.ahead == 7)
 
 
 def test_closing_ends_the_thread_in_the_middle_of_a_run(asked):
@@ -166,21 +166,21 @@ def test_a_still_keeps_what_the_world_was():
         world = random_world(generator, height, width)
         for _ in range(20):
             top, left = int(generator.integers(height)), int(generator.integers(width))
-            part = Part.within(world.shape, top, left, top + 7, left + 150)
-            still, sand, walls = Still(world, part), world.sand, world.walls
+            part = CropBox.within(world.shape, top, left, top + 7, left + 150)
+            crop, sand, walls = Crop(world, part), world.sand, world.walls
             advance(world, Rule(), 1)
             box = slice(part.top, part.top + part.height), slice(part.left, part.left + part.width)
-            assert (still.cells[0] == sand[box]).all() and (still.cells[1] == walls[box]).all()
+            assert (crop.cells[0] == sand[box]).all() and (crop.cells[1] == walls[box]).all()
             assert part.top % 2 == part.left % 2 == 0 and sand[box].size == part.cells
 
 
 @pytest.mark.parametrize("schedule", ["margolus", "paper", "balanced"])
 def test_nothing_from_beyond_the_reach_comes_into_sight(schedule):
     world = random_world(np.random.default_rng(78), 80, 90, sand=0.5, walls=0.05)
-    rule, ahead, sight = Rule(schedule=schedule), 9, Part.within((80, 90), 31, 35, 52, 60)
-    part, exact = forecast_part(world.shape, sight, ahead, most=3000)
+    rule, ahead, sight = Rule(schedule=schedule), 9, CropBox.within((80, 90), 31, 35, 52, 60)
+    part, exact = forecast_box(world.shape, sight, ahead, most=3000)
     assert exact and part.cells < 80 * 90
-    counts = counts_at(*Still(world, part).cells, rule, [ahead], 1)[0]
+    counts = counts_at(*Crop(world, part).cells, rule, [ahead], 1)[0]
     advance(world, rule, ahead)
     box = slice(sight.top, sight.top + sight.height), slice(sight.left, sight.left + sight.width)
     inner = tuple(slice(each.start - corner, each.stop - corner) for each, corner in zip(box, part[:2], strict=True))
@@ -189,9 +189,9 @@ def test_nothing_from_beyond_the_reach_comes_into_sight(schedule):
 
 def test_a_forecast_never_takes_more_cells_than_it_may():
     for shape, sight in (((16384, 16384), (0, 0, 16384, 16384)), ((16384, 300), (5000, 11, 9001, 300))):
-        part, exact = forecast_part(shape, Part.within(shape, *sight), 1000, 10**6)
+        part, exact = forecast_box(shape, CropBox.within(shape, *sight), 1000, 10**6)
         assert not exact and 0.9e6 < part.cells <= 10**6 and part.top % 2 == part.left % 2 == 0
-    assert forecast_part((50, 60), Part.within((50, 60), 3, 3, 5, 5), 10, 3000) == (Part(0, 0, 50, 60), True)
+    assert forecast_box((50, 60), CropBox.within((50, 60), 3, 3, 5, 5), 10, 3000) == (CropBox(0, 0, 50, 60), True)
 
 
 def test_without_a_newer_question_the_runs_go_on_to_the_last(asked, monkeypatch):

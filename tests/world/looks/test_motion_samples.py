@@ -9,7 +9,7 @@ from game.core.draw.glass_decor import decor_of
 from game.core.draw.motion_blur import SAMPLES
 from game.core.planes import unpack
 from game.world.looks.colour_space import blends, channels, linear
-from game.world.looks.motion_samples import FROM_SPEED, Streams
+from game.world.looks.motion_samples import FROM_SPEED, MotionSamples
 from game.world.looks.painter import Painter, texture
 from game.world.looks.themes import NIGHT, THEMES, dyed_palette, rgb
 from game.world.looks.view import View
@@ -59,7 +59,7 @@ def components(pixels):
 @pytest.mark.parametrize("shape", [(1, 3), (2, 2), (37, 61), (40, 300), (90, 128)])
 @pytest.mark.parametrize("dyes", [False, True])
 def test_moving_cells_show_the_mean_of_a_cycle_and_others_what_they_are(shape, walls, dyes):
-    world, streams = random_world(np.random.default_rng(4), *shape, sand=0.2, walls=0.05), Streams()
+    world, streams = random_world(np.random.default_rng(4), *shape, sand=0.2, walls=0.05), MotionSamples()
     world = coloured(world, np.random.default_rng(5)) if dyes else world
     last = world.colours
     for _ in range(8):
@@ -78,7 +78,7 @@ def test_moving_cells_show_the_mean_of_a_cycle_and_others_what_they_are(shape, w
 
 def test_the_world_evolves_the_same_and_at_the_same_pace_with_smooth_streams():
     plain, smooth = (Session(load_scene("hourglass", (90, 120))) for _ in range(2))
-    smooth.streams = Streams()
+    smooth.streams = MotionSamples()
     for elapsed_ms in np.random.default_rng(5).integers(0, 60, 80):
         for session in (plain, smooth):
             session.clock.speed = 300
@@ -90,7 +90,7 @@ def test_the_world_evolves_the_same_and_at_the_same_pace_with_smooth_streams():
 
 def test_what_is_drawn_piece_by_piece_is_the_whole_picture():
     generator = np.random.default_rng(6)
-    world, streams = random_world(generator, 1500, 300, sand=0.02, walls=0.02), Streams()
+    world, streams = random_world(generator, 1500, 300, sand=0.02, walls=0.02), MotionSamples()
     painter, pixels = painter_of(world, "glass")
     for number in range(60):
         run(world, streams, int(generator.integers(0, 9)))
@@ -103,7 +103,7 @@ def test_what_is_drawn_piece_by_piece_is_the_whole_picture():
 
 
 def test_what_falls_out_of_a_band_is_sampled_too():
-    world, streams = grains_over_a_pile_below_a_band(), Streams()
+    world, streams = grains_over_a_pile_below_a_band(), MotionSamples()
     run(world, streams, 1)
     for _ in range(40):
         run(world, streams, 1)
@@ -111,7 +111,7 @@ def test_what_falls_out_of_a_band_is_sampled_too():
 
 
 def test_sand_at_rest_is_drawn_as_without_and_never_again():
-    world, streams = random_world(np.random.default_rng(7), 60, 80, sand=0.3, walls=0.02), Streams()
+    world, streams = random_world(np.random.default_rng(7), 60, 80, sand=0.3, walls=0.02), MotionSamples()
     painter, pixels = painter_of(world)
     run(world, streams, 600)
     painter.draw(world, pixels, streams=streams)
@@ -121,7 +121,7 @@ def test_sand_at_rest_is_drawn_as_without_and_never_again():
 
 
 def test_a_world_that_was_turned_over_or_changed_for_another_leaves_no_ghost():
-    world, streams = World.from_cells(np.eye(40, dtype=bool), np.zeros((40, 40), bool)), Streams()
+    world, streams = World.from_cells(np.eye(40, dtype=bool), np.zeros((40, 40), bool)), MotionSamples()
     run(world, streams, 6)
     apply(Flip(), world, RULE)
     assert not streams.follows(world) and not streams.follows(world.copy())
@@ -131,7 +131,7 @@ def test_a_world_that_was_turned_over_or_changed_for_another_leaves_no_ghost():
 
 @pytest.mark.parametrize(("shape", "speed"), [((3000, 3000), 1000), ((100, 100), FROM_SPEED - 1)])
 def test_large_lattices_and_slow_motion_are_drawn_cell_by_cell(shape, speed):
-    assert Streams.are_worth((100, 100), FROM_SPEED) and not Streams.are_worth(shape, speed)
+    assert MotionSamples.are_worth((100, 100), FROM_SPEED) and not MotionSamples.are_worth(shape, speed)
 
 
 @pytest.mark.parametrize("colours", THEMES.values(), ids=THEMES)

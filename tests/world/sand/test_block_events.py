@@ -5,7 +5,7 @@ import pytest
 
 from game import Rule, advance
 from game.world.sand.block_events import MOVES, coming_events, happened, offset
-from game.world.sand.crop import Part
+from game.world.sand.crop import CropBox
 from game.world.sand.rule import SCHEDULES
 from tests import reference
 from tests.cells import NAMES, random_world, rows_of
@@ -38,7 +38,7 @@ def test_every_block_is_said_to_do_what_the_twin_does(schedule, shape):
         world = random_world(generator, *shape)
         advance(world, rule, iteration)
         cells, wanted = rows_of(world), twins_events(world, rule)
-        events = coming_events(world, rule, Part(0, 0, *shape))
+        events = coming_events(world, rule, CropBox(0, 0, *shape))
         for row, column, move, chance in zip(*(each.tolist() for each in events), strict=True):
             block = {
                 place: cells[row + place[0]][column + place[1]]
@@ -60,17 +60,17 @@ def test_where_nothing_is_left_to_chance_the_step_does_what_was_said():
     world = random_world(np.random.default_rng(2), 41, 66)
     for _ in range(12):
         sand = world.sand
-        events = coming_events(world, Rule(), Part(0, 0, *world.shape))
+        events = coming_events(world, Rule(), CropBox(0, 0, *world.shape))
         for row, column, move in zip(events.rows, events.columns, events.moves, strict=True):
             for start, end in MOVES[move]:
                 sand[row + start[0], column + start[1]], sand[row + end[0], column + end[1]] = False, True
         advance(world, Rule(), 1)
-        assert (world.sand == sand).all() and happened(events, world, Part(0, 0, *world.shape)).all()
+        assert (world.sand == sand).all() and happened(events, world, CropBox(0, 0, *world.shape)).all()
 
 
 def test_what_chance_refused_has_not_happened():
     world, rule = random_world(np.random.default_rng(3), 60, 60), Rule.with_p(0.5)
-    part = Part(0, 0, *world.shape)
+    part = CropBox(0, 0, *world.shape)
     before, events = world.sand, coming_events(world, rule, part)
     advance(world, rule, 1)
     done = happened(events, world, part)
@@ -83,8 +83,8 @@ def test_what_chance_refused_has_not_happened():
 
 def test_a_part_knows_what_the_whole_knows_of_it():
     world, rule = random_world(np.random.default_rng(4), 61, 150), Rule(0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, "balanced")
-    whole = coming_events(world, rule, Part(0, 0, *world.shape))
-    for part in (Part(0, 0, 9, 11), Part(20, 40, 17, 31), Part(20, 40, 18, 32), Part(50, 130, 11, 20)):
+    whole = coming_events(world, rule, CropBox(0, 0, *world.shape))
+    for part in (CropBox(0, 0, 9, 11), CropBox(20, 40, 17, 31), CropBox(20, 40, 18, 32), CropBox(50, 130, 11, 20)):
         events = set(zip(*(each.tolist() for each in coming_events(world, rule, part)), strict=True))
         bottom, right = part.top + part.height, part.left + part.width
         for event in zip(*(each.tolist() for each in whole), strict=True):

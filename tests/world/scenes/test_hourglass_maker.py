@@ -11,14 +11,14 @@ from game.world.scenes.hourglass_maker import SLOWEST, glass_for, glass_within, 
 from game.world.scenes.hourglass_spec import Glass
 from game.world.sessions.action import Paint, Reshape
 from game.world.sessions.recording import load_replay, save_replay
-from game.world.sessions.run_out import find_ending
+from game.world.sessions.run_out import find_run_out
 from game.world.sessions.session import Session
 
 
 @pytest.mark.parametrize("seconds", [1, 10, 30, 60, 180])
 def test_a_glass_made_for_a_time_suits_it(seconds):
     scene = scene_of(glass_for(seconds))
-    pace = find_ending(Session(scene).timeline.course()).iterations / seconds
+    pace = find_run_out(Session(scene).timeline.lookahead()).iterations / seconds
     assert good_pace(seconds) / 1.35 < pace < 1.35 * good_pace(seconds)
     assert SLOWEST <= good_pace(seconds) <= 240
 

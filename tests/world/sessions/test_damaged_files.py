@@ -12,7 +12,7 @@ from game.world.scenes.picture_file import CHUNK, PictureError, load_picture, sa
 from game.world.sessions.journal import Journal, JournalError
 from game.world.sessions.recording import ReplayError, load_replay, parse, recording_of, to_bytes
 from game.world.sessions.session import Session
-from game.world.sessions.session_format import Pen
+from game.world.sessions.session_format import LineWriter
 from tests.world.random_sessions import SCENES
 from tests.world.sessions.test_recording import sample, values_of
 
@@ -49,7 +49,7 @@ def twisted(values, chance):
 
 def resealed(lines):
     """Return a file of lines whose seals are right whatever they say."""
-    pen = Pen()
+    pen = LineWriter()
     return b"".join(pen._sealed(values) for values in lines if isinstance(values, dict))
 
 

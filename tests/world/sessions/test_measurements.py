@@ -11,7 +11,7 @@ from game import Rule, load_scene
 from game.world.sand.measure import grains_above, pile_heights, slope_degrees
 from game.world.sessions import measurements
 from game.world.sessions.action import Clear, Flip, Paint, SetRule
-from game.world.sessions.measurements import COLUMNS, Watch
+from game.world.sessions.measurements import COLUMNS, Measurements
 from game.world.sessions.session import Session
 
 
@@ -19,7 +19,7 @@ from game.world.sessions.session import Session
 def glass():
     """Return (session, its watch at the neck)."""
     session = Session(load_scene("hourglass", (60, 80)), seed=5)
-    return session, Watch(session, session.scene.neck)
+    return session, Measurements(session, session.scene.neck)
 
 
 def test_the_rows_of_the_table_are_the_measures(glass):

@@ -20,7 +20,7 @@ from game.world.sessions.action import Clear, Draw, Fill, Flip, Load, Paint, Set
 from game.world.sessions.history import Entry
 from game.world.sessions.recording import ReplayError, load_replay, parse, recording_of, save_replay, to_bytes
 from game.world.sessions.session import Session
-from game.world.sessions.session_format import Pen
+from game.world.sessions.session_format import LineWriter
 from tests.world.random_sessions import SCENES, actions, played, plays, state
 
 ROOT = Path(__file__).parents[3]
@@ -66,7 +66,7 @@ def told(entries):
 
 def resealed(lines):
     """Return a file of (dict) lines, each with the seal it should have."""
-    pen = Pen()
+    pen = LineWriter()
     return b"".join(pen._sealed(values) for values in lines)
 
 
@@ -102,7 +102,7 @@ def test_a_file_gives_back_the_session(play):
 @steady
 @given(st.integers(0, 2**40), actions, st.booleans())
 def test_an_act_is_written_and_read_without_loss(at, action, join):
-    header, pen = Pen().header(SCENES[0], 0), Pen()
+    header, pen = LineWriter().header(SCENES[0], 0), LineWriter()
     data = pen.header(SCENES[0], 0) + pen.entry(Entry(at, action, join))
     recording, _ = parse(data, "file")
     entry = recording.entries[0]
@@ -175,7 +175,7 @@ def test_any_edit_is_noticed_and_what_is_before_it_kept():
 )
 def test_bad_values_are_named(edit, words):
     paint = {"at": 5, "do": "paint", "material": "sand", "diameter": 4, "from": [3, 3], "to": [4, 4]}
-    header = values_of(Pen().header(SCENES[0], 0))[0]
+    header = values_of(LineWriter().header(SCENES[0], 0))[0]
     recording = parse(resealed([header, paint, paint | edit, paint]), "some.sandglass")[0]
     assert len(recording.entries) == 1 and recording.problem.startswith("some.sandglass: line 3: ")
     assert words in recording.problem and recording.problem.isprintable()
@@ -193,7 +193,7 @@ def test_bad_values_are_named(edit, words):
     ],
 )
 def test_a_bad_start_is_refused(edit, words):
-    header = values_of(Pen().header(load_scene("paper"), 0))[0]
+    header = values_of(LineWriter().header(load_scene("paper"), 0))[0]
     header["scene"] |= edit
     with pytest.raises(ReplayError) as caught:
         parse(resealed([header]), "some.sandglass")
@@ -217,7 +217,7 @@ def test_bad_cells_are_refused_before_they_fill_the_memory(cells, words):
     made = {"both": b"\xff" * 180, "bomb": bytes(10**7)}
     if cells in made:
         cells = base64.b64encode(zlib.compress(made[cells])).decode()
-    header = values_of(Pen().header(SCENES[0], 0))[0]
+    header = values_of(LineWriter().header(SCENES[0], 0))[0]
     header["scene"]["cells"] = cells
     with pytest.raises(ReplayError, match=words):
         parse(resealed([header]), "file")

@@ -104,7 +104,7 @@ def test_grains_are_those_of_the_start_and_those_painted_less_those_erased(play)
 @given(plays)
 def test_snapshots_never_take_more_than_the_budget(play):
     session = played([])
-    shelf = session.timeline.shelf
+    shelf = session.timeline.snapshots
     for command in play:
         obey(session, command)
         kept = list(shelf._kept)
@@ -247,7 +247,7 @@ def test_only_a_moment_can_be_sought(now):
 def test_a_smaller_budget_takes_effect_at_once(spacing):
     session = Session(SCENES[1])
     session.timeline.run(60)
-    shelf = session.timeline.shelf
+    shelf = session.timeline.snapshots
     shelf.fit(40_000, session.timeline.history.line)
     assert shelf.bytes <= 40_000
     session.seek(30)
@@ -259,7 +259,7 @@ def test_shrinking_looks_through_the_past_a_few_times_however_much_there_is(monk
         monkeypatch.setattr(timelines, name, value)
     session, looks, past = Session(SCENES[1]), [], snapshots._past
     session.timeline.run(1000)
-    shelf = session.timeline.shelf
+    shelf = session.timeline.snapshots
     monkeypatch.setattr(snapshots, "_past", lambda act: looks.append(act) or past(act))
     before = len(shelf)
     shelf.fit(shelf.bytes // 30, session.timeline.history.line)
@@ -275,7 +275,7 @@ def test_distances_between_snapshots_grow_with_age(monkeypatch):
     session = Session(SCENES[0])
     monkeypatch.setattr(session.timeline.moment, "run", lambda some: _steadily(session, some))
     session.timeline.run(2000)
-    kept = sorted(each.now for each in session.timeline.shelf._kept)
+    kept = sorted(each.now for each in session.timeline.snapshots._kept)
     gaps = np.diff([0, *kept])
     assert len(kept) > 10 and kept[-1] >= 1990
     assert gaps[: len(gaps) // 3].mean() > 4 * gaps[-len(gaps) // 3 :].mean()
