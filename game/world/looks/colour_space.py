@@ -1,4 +1,8 @@
-"""Light: colours as amounts of light, which mix as the eye does where many cells share a pixel."""
+"""Colours as amounts of light, in which cells that share a pixel mix as the eye mixes them, and in Oklab.
+
+In Oklab distances between colours are about as large as they look. Sources: IEC 61966-2-1 (sRGB); Björn Ottosson, "A
+perceptual color space for image processing", 2020 (Oklab).
+"""
 
 import numpy as np
 
@@ -6,11 +10,37 @@ from game.core.draw.cells import AIR, GLEAM, GRAIN, INSIDE, POST, SURFACE, WALL,
 from game.core.draw.downscaled import LIGHTS
 from game.core.draw.motion_blur import SAMPLES
 
+# From light to the responses of the eye's cones, and from their cube roots to Oklab.
+_CONES = np.array(
+    [[0.4122214708, 0.5363325363, 0.0514459929], [0.2119034982, 0.6806995451, 0.1073969566],
+     [0.0883024619, 0.2817188376, 0.6299787005]]
+)  # fmt: skip
+_OKLAB = np.array(
+    [[0.2104542553, 0.7936177850, -0.0040720468], [1.9779984951, -2.4285922050, 0.4505937099],
+     [0.0259040371, 0.7827717662, -0.8086757660]]
+)  # fmt: skip
+
 
 def linear(values):
-    """Return the light of sRGB components in 0 … 1: (…) float64 in 0 … 1. Source: IEC 61966-2-1."""
-    values = np.asarray(values, float)
+    """Return the light, in 0 … 1, of an array of sRGB components in 0 … 1."""
     return np.where(values <= 0.04045, values / 12.92, ((values + 0.055) / 1.055) ** 2.4)
+
+
+def encoded(light):
+    """Return the sRGB components of light: the inverse of `linear`."""
+    return np.where(light <= 0.0031308, 12.92 * light, 1.055 * light ** (1 / 2.4) - 0.055)
+
+
+def oklab(colours):
+    """Return (…, 3) float32 in Oklab from (…, 3) uint8 of sRGB."""
+    light = linear(np.arange(256, dtype=np.float32) / 255)
+    return np.cbrt(light[colours] @ _CONES.T.astype(np.float32)) @ _OKLAB.T.astype(np.float32)
+
+
+def from_oklab(colours):
+    """Return (…, 3) uint8 of sRGB from (…, 3) in Oklab; what no screen shows is clipped."""
+    cones = (colours @ np.linalg.inv(_OKLAB).T) ** 3
+    return np.rint(255 * encoded(np.clip(cones @ np.linalg.inv(_CONES).T, 0.0, 1.0))).astype(np.uint8)
 
 
 def lights(palette):

@@ -12,11 +12,12 @@ import numpy as np
 
 from game.world.files.atomic import FileError, load, save
 from game.world.files.checked_table import CheckedTable, TableError
+from game.world.looks.colour_space import oklab
 from game.world.looks.themes import WALL_LOOKS
 from game.world.sand import parameters
 from game.world.sand.parameters import Knob
 from game.world.sand.rule import Rule
-from game.world.sand.sand_colours import nearest_dyes
+from game.world.sand.sand_colours import DYED
 from game.world.scenes.cell_arrays import (
     COLOURS,
     EMPTY,
@@ -201,6 +202,15 @@ def _by_brightness(pixels, threshold):
     materials = np.where(bright >= threshold, SAND, np.where(bright >= threshold / 2, WALL, EMPTY)).astype(np.uint8)
     materials[pixels[..., 3] < 128] = EMPTY
     return materials
+
+
+def nearest_dyes(pixels):
+    """Return the number of the dye that looks most like each pixel, (H, W) uint8, from (H, W, 3) uint8 of sRGB."""
+    dyes = oklab(np.array(list(DYED.values()), np.uint8))
+    found = np.empty(pixels.shape[:2], np.uint8)
+    for row, line in enumerate(oklab(pixels)):
+        found[row] = ((line[:, None] - dyes) ** 2).sum(axis=-1).argmin(axis=-1)
+    return found
 
 
 def _fitted(pixels):

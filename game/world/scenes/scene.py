@@ -22,7 +22,7 @@ from game.world.scenes.cell_arrays import EMPTY, painted_cells, parted, resample
 from game.world.scenes.fixture_tables import KEYS as FIXTURE_KEYS
 from game.world.scenes.fixture_tables import checked_number, read_fixture
 from game.world.scenes.hourglass_spec import Glass
-from game.world.scenes.shapes import Scale, middle_of_glass, only_glass, paint
+from game.world.scenes.shapes import Scale, glass_of, neck_of, paint, read_shapes
 
 ORDER = (  # as shown; others follow
     *("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "maze", "tower", "city", "marbles", "delta"),
@@ -107,7 +107,12 @@ def _scene(path, size):
     table = read_table(path)
     table.allow(KEYS)
     rule = _rule(table.table("rule"))
-    cells, own_size = _cells(table, path.parent, size)
+    size = size and tuple(parameters.SIDE.check(side) for side in size)
+    drawn = _drawn(table, path.parent)
+    height, width = (table.number(each, parameters.SIDE) for each in SIDES) if drawn is None else drawn.shape
+    scale = Scale(width, height, *(size or (width, height)))
+    shapes = [shape for each in table.tables("shape") for shape in read_shapes(each, (width, height))]
+    cells = _painted(shapes, scale) if drawn is None else resampled(drawn, scale.height, scale.width)
     sand, walls, colours = parted(cells)
     return Scene(
         name=path.stem,
@@ -119,10 +124,10 @@ def _scene(path, size):
         rule=rule,
         speed=table.number("speed", parameters.SPEED, parameters.SPEED.default),
         cell=table.number("cell", parameters.CELL, parameters.CELL.default),
-        neck=_neck(table, cells.shape),
-        glass=_glass(table, cells.shape),
+        neck=neck_of(shapes, scale),
+        glass=glass_of(shapes, scale),
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
-        fixtures=_fixtures(table, own_size, sand.shape),
+        fixtures=_fixtures(table, scale),
         shipped=path.parent == asset("scenes"),
     )
 
@@ -152,67 +157,39 @@ def _path(name_or_path):
     return path
 
 
-def _cells(table, folder, size):
-    """Return the (H, W) uint8 materials that `table` describes, on a lattice of `size` if given, and its own size.
-
-    Sizes are (width, height).
-    """
+def _drawn(table, folder):
+    """Return the (H, W) uint8 materials that `table` spells cell by cell, in a text or a picture; None for neither."""
     sources = [key for key in SOURCES if key in table]
     if len(sources) > 1:
         raise table.error(sources[1], f"it beside {sources[0]}", f"only one of {', '.join(SOURCES)}")
-    size = size and tuple(parameters.SIDE.check(side) for side in size)
     if sources == ["cells"]:
         drawn = written_cells(table)
         for key, side in zip(SIDES, drawn.shape, strict=True):
             if table.number(key, parameters.SIDE, side) != side:
                 raise table.error(key, table.values[key], f"{side} as in cells, or to leave it out")
-    elif sources == ["picture"]:
+        return drawn
+    if sources == ["picture"]:
         drawn = painted_cells(table, folder)
         height, width = (table.number(key, parameters.SIDE, side) for key, side in zip(SIDES, drawn.shape, strict=True))
-        drawn = resampled(drawn, height, width)
-    else:
-        return _shaped_cells(table, size)
-    return (resampled(drawn, *size[::-1]) if size else drawn), drawn.shape[::-1]
+        return resampled(drawn, height, width)
+    return None
 
 
-def _shaped_cells(table, size):
-    own_width, own_height = table.number("width", parameters.SIDE), table.number("height", parameters.SIDE)
-    width, height = size or (own_width, own_height)
-    scale = Scale(own_width, own_height, width / own_width, height / own_height)
-    cells = np.full((height, width), EMPTY, np.uint8)
-    for shape in table.tables("shape"):
+def _painted(shapes, scale):
+    cells = np.full((scale.height, scale.width), EMPTY, np.uint8)
+    for shape in shapes:
         paint(cells, shape, scale)
-    return cells, (own_width, own_height)
+    return cells
 
 
-def _fixtures(table, own_size, shape):
-    """Return the taps and drains that `table` describes, moved from its own size to a lattice of `shape`."""
+def _fixtures(table, scale):
+    """Return the taps and drains that `table` describes, on the lattice of a Scale."""
     found = []
     for kind in (TAP, DRAIN):
         for each in table.tables(kind):
             each.allow(FIXTURE_KEYS[kind])
-            found.append(read_fixture(each, kind).scaled(shape[1] / own_size[0], shape[0] / own_size[1]))
+            found.append(read_fixture(each, kind).scaled(scale.x, scale.y))
     return checked_number(found, table, f"{TAP} and {DRAIN}")
-
-
-def _neck(table, shape):
-    """Return the row in the middle of the first glass that `table` describes, on a lattice of `shape`, or None."""
-    if any(source in table for source in SOURCES[:2]):
-        return None
-    own_height = table.number("height", parameters.SIDE)
-    middles = (middle_of_glass(each, own_height) for each in table.tables("shape"))
-    middle = next((each for each in middles if each is not None), None)
-    return None if middle is None else round(middle * shape[0] / own_height)
-
-
-def _glass(table, shape):
-    """Return the Glass that is all that `table` describes, on a lattice of `shape`, or None."""
-    shapes = table.tables("shape")
-    if len(shapes) != 1 or any(source in table for source in SOURCES[:2]):
-        return None
-    own_width, own_height = table.number("width", parameters.SIDE), table.number("height", parameters.SIDE)
-    scale = Scale(own_width, own_height, shape[1] / own_width, shape[0] / own_height)
-    return only_glass(shapes[0], shape[1], shape[0], scale)
 
 
 def _rule(table):

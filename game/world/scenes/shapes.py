@@ -1,5 +1,6 @@
-"""The shapes a scene is drawn with: what a table [[shape]] says, painted on a lattice of any size."""
+"""The shapes a scene is drawn with: each table [[shape]] read once, then painted on a lattice of any size."""
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -9,7 +10,7 @@ from game.world.sand.parameters import SIDE, Knob
 from game.world.sand.sand_colours import AMBER
 from game.world.sand.sand_colours import COLOURS as DYES
 from game.world.scenes import geometry
-from game.world.scenes.cell_arrays import EMPTY, MATERIALS, SANDS, WALL
+from game.world.scenes.cell_arrays import EMPTY, MATERIALS, SAND, SANDS, WALL
 from game.world.scenes.hourglass import CURVE, FILL, NECK, THICKNESS, hourglass
 from game.world.scenes.hourglass_spec import Glass
 
@@ -19,27 +20,101 @@ PICK = Knob("seed", 0, 0, 2**31, "", "picks one of the possible patterns", whole
 SHARE = Knob("share", 1.0, 0.0, 1.0, "", "part of the places that are taken")
 LENGTH = Knob("length", 1.0, 0.01, SIDE.high, "cells", "the size of a shape, or of a part of it")
 BOX = ("x", "y", "width", "height")  # a shape's left, top and size; left out, the whole scene
-DYE = "dye"  # what is no material: it gives sand another colour and leaves the rest
+DYE = "dye"  # not a material: it gives sand another colour and leaves the rest
 HOURGLASS = (*BOX, "neck", "curve", "wall", "fill")
 BAND = 128  # rows painted at a time: bounds the memory that painting takes on the largest lattice
 
 
 @dataclass(frozen=True)
 class Scale:
-    """The scene's own size in cells, and how many cells of the lattice to paint make one of them."""
+    """A scene's own size, and the size of the lattice that it is painted on, in cells."""
 
-    width: float
-    height: float
+    own_width: int
+    own_height: int
+    width: int
+    height: int
+
+    @property
+    def x(self):
+        """Columns of the lattice to a cell of the scene."""
+        return self.width / self.own_width
+
+    @property
+    def y(self):
+        """Rows of the lattice to a cell of the scene."""
+        return self.height / self.own_height
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A region that takes a material. What is in cells is in those of the scene's own size."""
+
+    region: Callable  # of a Scale: the geometry.Region, never thinner than a cell of the lattice
+    material: int
+    only_sand: bool  # leaves all but sand as it is
+
+
+@dataclass(frozen=True)
+class HourglassShape:
+    """An hourglass, in cells of the scene's own size, with sand of a material."""
+
     x: float
     y: float
+    width: float
+    height: float
+    neck: float
+    curve: float
+    wall: float
+    fill: float
+    material: int
+    table: CheckedTable  # that spells it, for what is found wrong as it is painted
+
+    def box_on(self, scale):
+        """Return its first column and row on a lattice, and those after its last."""
+        left, top, right, bottom = self.x, self.y, self.x + self.width, self.y + self.height
+        return round(left * scale.x), round(top * scale.y), round(right * scale.x), round(bottom * scale.y)
+
+    def numbers_on(self, scale):
+        """Return neck, curve, wall and fill on a lattice."""
+        return self.neck * scale.x, self.curve, self.wall * min(scale.x, scale.y), self.fill
 
 
-def paint(cells, table, scale):
-    """Paint on `cells`, in place, the shape that `table` describes; raise TableError where it does not."""
+def read_shapes(table, own):
+    """Return what a table [[shape]] spells, one shape for each time it is repeated; raise TableError if it is wrong.
+
+    own: the scene's own (width, height).
+    """
     kind = table.choice("kind", ("hourglass", *KINDS))
     table = CheckedTable(table.file, table.values, f"{table.where[:-1]} ({kind}).")
-    for each in _repeated(table):
-        _paint_once(cells, kind, each, scale)
+    read = _read_hourglass if kind == "hourglass" else _read_shape
+    return [read(each, own) for each in _repeated(table)]
+
+
+def neck_of(shapes, scale):
+    """Return the row on a lattice in the middle of the first hourglass, or None where there is none."""
+    glasses = (each for each in shapes if isinstance(each, HourglassShape))
+    return next((round((each.y + each.height / 2) * scale.y) for each in glasses), None)
+
+
+def glass_of(shapes, scale):
+    """Return the Glass on a lattice that is all there is, in the middle of it and with amber sand; None for others."""
+    if len(shapes) != 1 or not isinstance(shapes[0], HourglassShape) or shapes[0].material != SAND:
+        return None
+    left, top, right, bottom = shapes[0].box_on(scale)
+    if (right, bottom) != (scale.width - left, scale.height - top):
+        return None
+    try:
+        return Glass(scale.width, scale.height, left, top, *shapes[0].numbers_on(scale))
+    except ValueError:  # no slider makes a neck as wide, or a wall as thick, as it is on this lattice
+        return None
+
+
+def paint(cells, shape, scale):
+    """Paint a shape on the cells of a lattice, in place; raise TableError where an hourglass is too small there."""
+    if isinstance(shape, HourglassShape):
+        _paint_hourglass(cells, shape, scale)
+    else:
+        _paint_region(cells, shape.region(scale), shape, scale)
 
 
 def _repeated(table):
@@ -49,7 +124,7 @@ def _repeated(table):
         raise table.error("repeat", f"{across}·{down}", f"{REPEAT.high} at most in all")
     x, y = table.pair("step", PLACE, (0.0, 0.0))
     plain = {key: value for key, value in table.values.items() if key not in ("repeat", "step")}
-    yield CheckedTable(table.file, plain, table.where)  # checked as it is written, before it is moved
+    yield CheckedTable(table.file, plain, table.where)  # read as it is written, before it is moved
     for number in range(1, across * down):
         by = number % across * x, number // across * y
         yield CheckedTable(table.file, plain | _moved(plain, *by), table.where)
@@ -62,24 +137,24 @@ def _moved(values, x, y):
     return {"x": values.get("x", 0.0) + x, "y": values.get("y", 0.0) + y}
 
 
-def _paint_once(cells, kind, table, scale):
-    if kind == "hourglass":
-        _paint_hourglass(cells, table, scale)
-        return
-    keys, described = KINDS[kind]
+def _read_shape(table, own):
+    keys, read_region = KINDS[table.values["kind"]]
     table.allow(("kind", "material", "colour", *keys))
     name = table.choice("material", (*MATERIALS, DYE))
     if "colour" in table and name not in ("sand", DYE):
         raise table.error("colour", f"it beside {name}", f"it only beside sand or {DYE}")
     material = _sand(table) if name in ("sand", DYE) else MATERIALS[name]
-    _paint_region(cells, described(table, scale), material, scale, only_sand=name == DYE)
+    return Shape(read_region(table, own), material, only_sand=name == DYE)
 
 
-def middle_of_glass(table, height):
-    """Return the place of the neck's middle, in cells from the top of a scene of `height`; None for no hourglass."""
-    if table.choice("kind", ("hourglass", *KINDS)) != "hourglass":
-        return None
-    return table.number("y", PLACE, 0.0) + table.number("height", LENGTH, height) / 2
+def _read_hourglass(table, own):
+    table.allow(("kind", *HOURGLASS, "colour"))
+    x, y, width, height = _box(table, own)
+    for key, low, size, most in (("width", x, width, own[0]), ("height", y, height, own[1])):
+        if low < 0 or low + size > most:
+            raise table.error(key, f"{low:g} + {size:g}", f"a glass within the {most:g} cells of the scene")
+    numbers = (table.number(each.name, each, each.default) for each in (NECK, CURVE, THICKNESS, FILL))
+    return HourglassShape(x, y, width, height, *numbers, _sand(table), table)
 
 
 def _sand(table):
@@ -87,100 +162,73 @@ def _sand(table):
     return SANDS[DYES.index(table.choice("colour", DYES, AMBER))]
 
 
-def _paint_region(cells, shape, material, scale, only_sand):
-    """Give `material` to the cells whose centres the region holds, or to those of them that are sand, in place."""
+def _paint_region(cells, region, shape, scale):
+    """Give the shape's material to the cells whose centres the region holds, in place."""
     height, width = cells.shape
-    left, right = (int(np.clip(x * scale.x, 0, width)) for x in (shape.left, shape.right + 1 / scale.x))
-    top, bottom = (int(np.clip(y * scale.y, 0, height)) for y in (shape.top, shape.bottom + 1 / scale.y))
+    left, right = (int(np.clip(x * scale.x, 0, width)) for x in (region.left, region.right + 1 / scale.x))
+    top, bottom = (int(np.clip(y * scale.y, 0, height)) for y in (region.top, region.bottom + 1 / scale.y))
     x = (np.arange(left, right) + 0.5) / scale.x
     for first in range(top, bottom, BAND):
         rows = slice(first, min(first + BAND, bottom))
         y = (np.arange(rows.start, rows.stop) + 0.5) / scale.y
-        with np.errstate(all="ignore"):  # a point a hair from the next one makes an endless slope, and that is right
-            held = shape.inside(x, y[:, None])
+        with np.errstate(all="ignore"):  # between two points a hair apart, the slope is infinite, and that is right
+            held = region.inside(x, y[:, None])
         part = cells[rows, left:right]
-        part[held & (part != EMPTY) & (part != WALL) if only_sand else held] = material
+        part[held & (part != EMPTY) & (part != WALL) if shape.only_sand else held] = shape.material
 
 
-def _paint_hourglass(cells, table, scale):
-    table.allow(("kind", *HOURGLASS, "colour"))
-    x, y, width, height = _box(table, scale)
-    for key, low, size, most in (("width", x, width, scale.width), ("height", y, height, scale.height)):
-        if low < 0 or low + size > most:
-            raise table.error(key, f"{low:g} + {size:g}", f"a glass within the {most:g} cells of the scene")
-    numbers = _numbers_of_glass(table, scale)
-    left, top, right, bottom = _box_of_glass(table, scale)
+def _paint_hourglass(cells, shape, scale):
+    left, top, right, bottom = shape.box_on(scale)
     try:
-        sand, walls = hourglass(bottom - top, right - left, *numbers)
+        sand, walls = hourglass(bottom - top, right - left, *shape.numbers_on(scale))
     except ValueError:
-        raise table.error("width", f"{right - left}×{bottom - top} cells", "at least 5×5 for an hourglass") from None
+        found = f"{right - left}×{bottom - top} cells"
+        raise shape.table.error("width", found, "at least 5×5 for an hourglass") from None
     box = cells[top:bottom, left:right]
-    box[sand], box[walls] = _sand(table), WALL
+    box[sand], box[walls] = shape.material, WALL
 
 
-def only_glass(table, width, height, scale):
-    """Return the Glass on a lattice of that size that a shape's table describes; None if it is none or off the middle.
-
-    The table has been painted from before, so that what it says is right.
-    """
-    if table.values.get("kind") != "hourglass" or not set(table.values) <= {"kind", *HOURGLASS}:
-        return None
-    left, top, right, bottom = _box_of_glass(table, scale)
-    if (right, bottom) != (width - left, height - top):
-        return None
-    try:
-        return Glass(width, height, left, top, *_numbers_of_glass(table, scale))
-    except ValueError:  # a neck or a wall as thick on this lattice as no slider goes
-        return None
+def _rectangle(table, own):
+    box = _box(table, own)
+    return lambda scale: geometry.rectangle(*_seen(box, scale))
 
 
-def _box_of_glass(table, scale):
-    """Return the first column and row of an hourglass and those after its last."""
-    x, y, width, height = _box(table, scale)
-    return round(x * scale.x), round(y * scale.y), round((x + width) * scale.x), round((y + height) * scale.y)
+def _ellipse(table, own):
+    box = _box(table, own)
+    return lambda scale: geometry.ellipse(*_seen(box, scale))
 
 
-def _numbers_of_glass(table, scale):
-    """Return neck, curve, wall and fill of an hourglass on the lattice."""
-    neck, curve, wall, fill = (table.number(each.name, each, each.default) for each in (NECK, CURVE, THICKNESS, FILL))
-    return neck * scale.x, curve, wall * min(scale.x, scale.y), fill
+def _line(table, own):
+    thickness, points = table.number("thickness", LENGTH, LENGTH.default), table.points("points", PLACE, 2)
+    return lambda scale: geometry.stroke(points, max(thickness, 1 / scale.x, 1 / scale.y) / 2)
 
 
-def _rectangle(table, scale):
-    return geometry.rectangle(*_seen(_box(table, scale), scale))
+def _polygon(table, own):
+    region = geometry.polygon(table.points("points", PLACE, 3))
+    return lambda scale: region
 
 
-def _ellipse(table, scale):
-    return geometry.ellipse(*_seen(_box(table, scale), scale))
-
-
-def _line(table, scale):
-    thickness = table.number("thickness", LENGTH, LENGTH.default)
-    return geometry.stroke(table.points("points", PLACE, 2), max(thickness, 1 / scale.x, 1 / scale.y) / 2)
-
-
-def _polygon(table, scale):
-    return geometry.polygon(table.points("points", PLACE, 3))
-
-
-def _bars(table, scale):
+def _bars(table, own):
     size, across = (table.number(key, LENGTH) for key in ("size", "across"))
-    return geometry.bars(*_box(table, scale), max(size, 1 / scale.x), across)
+    box = _box(table, own)
+    return lambda scale: geometry.bars(*box, max(size, 1 / scale.x), across)
 
 
-def _pegs(table, scale):
-    return geometry.pegs(*_box(table, scale), *(table.number(key, LENGTH) for key in ("size", "across", "down")))
+def _pegs(table, own):
+    region = geometry.pegs(*_box(table, own), *(table.number(key, LENGTH) for key in ("size", "across", "down")))
+    return lambda scale: region
 
 
-def _slats(table, scale):
+def _slats(table, own):
     size, thickness = table.number("size", LENGTH), table.number("thickness", LENGTH, LENGTH.default)
     share, seed = table.number("share", SHARE, SHARE.default), table.number("seed", PICK, PICK.default)
-    return geometry.slats(*_box(table, scale), size, max(thickness, 1 / scale.x), share, seed)
+    box = _box(table, own)
+    return lambda scale: geometry.slats(*box, size, max(thickness, 1 / scale.x), share, seed)
 
 
-def _box(table, scale):
+def _box(table, own):
     x, y = table.number("x", PLACE, 0.0), table.number("y", PLACE, 0.0)
-    return x, y, table.number("width", LENGTH, scale.width), table.number("height", LENGTH, scale.height)
+    return x, y, table.number("width", LENGTH, own[0]), table.number("height", LENGTH, own[1])
 
 
 def _seen(box, scale):
@@ -190,7 +238,7 @@ def _seen(box, scale):
     return x - (wider - width) / 2, y - (higher - height) / 2, wider, higher
 
 
-# A kind of shape: the keys it takes beside kind and material, and what makes its table a region.
+# A kind of shape: the keys it takes beside kind and material, and what reads its table as a region for each Scale.
 KINDS = {
     "rectangle": (BOX, _rectangle),
     "ellipse": (BOX, _ellipse),

@@ -253,7 +253,7 @@ def without_memory_once(monkeypatch, module, name):
 
 
 def test_a_plan_for_which_there_was_no_memory_is_made_later(watcher, monkeypatch):
-    without_memory_once(monkeypatch, run_out_planner, "find_ending")
+    without_memory_once(monkeypatch, run_out_planner, "find_run_out")
     monkeypatch.setattr(run_out_planner, "AGAIN_S", 0.0)
     for newest in (False, True):
         watcher.toy.planner.ask()
@@ -281,7 +281,7 @@ def test_a_plan_for_what_is_no_longer_so_is_given_up(watcher, monkeypatch):
 
     monkeypatch.setattr(run_out_planner, "PATIENCE_S", 0.0)
     with monkeypatch.context() as context:
-        context.setattr(run_out_planner, "find_ending", endless)
+        context.setattr(run_out_planner, "find_run_out", endless)
         watcher.toy.planner.ask()
         time.sleep(0.01)
     watcher.toy.sessions.do(Flip())

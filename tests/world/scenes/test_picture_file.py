@@ -12,10 +12,10 @@ from PIL.PngImagePlugin import PngInfo
 from game import Rule
 from game.world.files import atomic
 from game.world.sand.sand_colours import COLOURS as NAMES
-from game.world.sand.sand_colours import DYED, nearest_dyes
+from game.world.sand.sand_colours import DYED
 from game.world.scenes import picture_file
 from game.world.scenes.cell_arrays import COLOURS
-from game.world.scenes.picture_file import CHUNK, Photo, PictureError, load_picture, save_picture
+from game.world.scenes.picture_file import CHUNK, Photo, PictureError, load_picture, nearest_dyes, save_picture
 from game.world.sessions.action import Flip, Load
 from game.world.sessions.recording import load_replay, save_replay
 from game.world.sessions.session import Session
