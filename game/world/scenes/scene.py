@@ -29,8 +29,8 @@ ORDER = (  # as shown; others follow
     *("silo", "clocks", "mixing", "fountain", "rainbow", "dunes", "fullhd", "blank"),
 )
 SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
-SIDES = ("height", "width")
-KEYS = ("title", "notice", *SIDES, *SOURCES, TAP, DRAIN, "walls", "rule", "speed", "cell")
+SIDES = ("width", "height")
+KEYS = ("title", "notice", "height", "width", *SOURCES, TAP, DRAIN, "walls", "rule", "speed", "cell")
 
 _known = WeakValueDictionary()  # (shape, dtype, checksum): the cells of scenes that are still told of
 
@@ -109,10 +109,12 @@ def _scene(path, size):
     rule = _rule(table.table("rule"))
     size = size and tuple(parameters.SIDE.check(side) for side in size)
     drawn = _drawn(table, path.parent)
-    height, width = (table.number(each, parameters.SIDE) for each in SIDES) if drawn is None else drawn.shape
-    scale = Scale(width, height, *(size or (width, height)))
-    shapes = [shape for each in table.tables("shape") for shape in read_shapes(each, (width, height))]
-    cells = _painted(shapes, scale) if drawn is None else resampled(drawn, scale.height, scale.width)
+    own = tuple(table.number(each, parameters.SIDE) for each in SIDES) if drawn is None else drawn.shape[::-1]
+    scale = Scale(*own, *(size or own))
+    if drawn is None:
+        cells, shapes = _painted(table, scale)
+    else:
+        cells, shapes = resampled(drawn, scale.height, scale.width), []
     sand, walls, colours = parted(cells)
     return Scene(
         name=path.stem,
@@ -164,22 +166,26 @@ def _drawn(table, folder):
         raise table.error(sources[1], f"it beside {sources[0]}", f"only one of {', '.join(SOURCES)}")
     if sources == ["cells"]:
         drawn = written_cells(table)
-        for key, side in zip(SIDES, drawn.shape, strict=True):
+        for key, side in zip(SIDES, drawn.shape[::-1], strict=True):
             if table.number(key, parameters.SIDE, side) != side:
                 raise table.error(key, table.values[key], f"{side} as in cells, or to leave it out")
         return drawn
     if sources == ["picture"]:
         drawn = painted_cells(table, folder)
-        height, width = (table.number(key, parameters.SIDE, side) for key, side in zip(SIDES, drawn.shape, strict=True))
+        height, width = drawn.shape
+        width, height = table.number("width", parameters.SIDE, width), table.number("height", parameters.SIDE, height)
         return resampled(drawn, height, width)
     return None
 
 
-def _painted(shapes, scale):
-    cells = np.full((scale.height, scale.width), EMPTY, np.uint8)
-    for shape in shapes:
-        paint(cells, shape, scale)
-    return cells
+def _painted(table, scale):
+    """Return the (H, W) uint8 materials that the shapes of `table` paint on the lattice of a Scale, and the shapes."""
+    cells, shapes = np.full((scale.height, scale.width), EMPTY, np.uint8), []
+    for each in table.tables("shape"):
+        for shape in read_shapes(each, scale):
+            paint(cells, shape, scale)
+            shapes.append(shape)
+    return cells, shapes
 
 
 def _fixtures(table, scale):

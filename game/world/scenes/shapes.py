@@ -1,6 +1,5 @@
 """The shapes a scene is drawn with: each table [[shape]] read once, then painted on a lattice of any size."""
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -47,9 +46,9 @@ class Scale:
 
 @dataclass(frozen=True)
 class Shape:
-    """A region that takes a material. What is in cells is in those of the scene's own size."""
+    """A region that takes a material."""
 
-    region: Callable  # of a Scale: the geometry.Region, never thinner than a cell of the lattice
+    region: geometry.Region
     material: int
     only_sand: bool  # leaves all but sand as it is
 
@@ -79,15 +78,12 @@ class HourglassShape:
         return self.neck * scale.x, self.curve, self.wall * min(scale.x, scale.y), self.fill
 
 
-def read_shapes(table, own):
-    """Return what a table [[shape]] spells, one shape for each time it is repeated; raise TableError if it is wrong.
-
-    own: the scene's own (width, height).
-    """
+def read_shapes(table, scale):
+    """Return what a table [[shape]] spells, one shape for each time it is repeated; raise TableError if it is wrong."""
     kind = table.choice("kind", ("hourglass", *KINDS))
     table = CheckedTable(table.file, table.values, f"{table.where[:-1]} ({kind}).")
     read = _read_hourglass if kind == "hourglass" else _read_shape
-    return [read(each, own) for each in _repeated(table)]
+    return [read(each, scale) for each in _repeated(table)]
 
 
 def neck_of(shapes, scale):
@@ -114,7 +110,7 @@ def paint(cells, shape, scale):
     if isinstance(shape, HourglassShape):
         _paint_hourglass(cells, shape, scale)
     else:
-        _paint_region(cells, shape.region(scale), shape, scale)
+        _paint_region(cells, shape, scale)
 
 
 def _repeated(table):
@@ -137,20 +133,20 @@ def _moved(values, x, y):
     return {"x": values.get("x", 0.0) + x, "y": values.get("y", 0.0) + y}
 
 
-def _read_shape(table, own):
+def _read_shape(table, scale):
     keys, read_region = KINDS[table.values["kind"]]
     table.allow(("kind", "material", "colour", *keys))
     name = table.choice("material", (*MATERIALS, DYE))
     if "colour" in table and name not in ("sand", DYE):
         raise table.error("colour", f"it beside {name}", f"it only beside sand or {DYE}")
     material = _sand(table) if name in ("sand", DYE) else MATERIALS[name]
-    return Shape(read_region(table, own), material, only_sand=name == DYE)
+    return Shape(read_region(table, scale), material, only_sand=name == DYE)
 
 
-def _read_hourglass(table, own):
+def _read_hourglass(table, scale):
     table.allow(("kind", *HOURGLASS, "colour"))
-    x, y, width, height = _box(table, own)
-    for key, low, size, most in (("width", x, width, own[0]), ("height", y, height, own[1])):
+    x, y, width, height = _box(table, scale)
+    for key, low, size, most in (("width", x, width, scale.own_width), ("height", y, height, scale.own_height)):
         if low < 0 or low + size > most:
             raise table.error(key, f"{low:g} + {size:g}", f"a glass within the {most:g} cells of the scene")
     numbers = (table.number(each.name, each, each.default) for each in (NECK, CURVE, THICKNESS, FILL))
@@ -162,9 +158,9 @@ def _sand(table):
     return SANDS[DYES.index(table.choice("colour", DYES, AMBER))]
 
 
-def _paint_region(cells, region, shape, scale):
+def _paint_region(cells, shape, scale):
     """Give the shape's material to the cells whose centres the region holds, in place."""
-    height, width = cells.shape
+    (height, width), region = cells.shape, shape.region
     left, right = (int(np.clip(x * scale.x, 0, width)) for x in (region.left, region.right + 1 / scale.x))
     top, bottom = (int(np.clip(y * scale.y, 0, height)) for y in (region.top, region.bottom + 1 / scale.y))
     x = (np.arange(left, right) + 0.5) / scale.x
@@ -188,47 +184,41 @@ def _paint_hourglass(cells, shape, scale):
     box[sand], box[walls] = shape.material, WALL
 
 
-def _rectangle(table, own):
-    box = _box(table, own)
-    return lambda scale: geometry.rectangle(*_seen(box, scale))
+def _rectangle(table, scale):
+    return geometry.rectangle(*_seen(_box(table, scale), scale))
 
 
-def _ellipse(table, own):
-    box = _box(table, own)
-    return lambda scale: geometry.ellipse(*_seen(box, scale))
+def _ellipse(table, scale):
+    return geometry.ellipse(*_seen(_box(table, scale), scale))
 
 
-def _line(table, own):
+def _line(table, scale):
     thickness, points = table.number("thickness", LENGTH, LENGTH.default), table.points("points", PLACE, 2)
-    return lambda scale: geometry.stroke(points, max(thickness, 1 / scale.x, 1 / scale.y) / 2)
+    return geometry.stroke(points, max(thickness, 1 / scale.x, 1 / scale.y) / 2)
 
 
-def _polygon(table, own):
-    region = geometry.polygon(table.points("points", PLACE, 3))
-    return lambda scale: region
+def _polygon(table, scale):
+    return geometry.polygon(table.points("points", PLACE, 3))
 
 
-def _bars(table, own):
+def _bars(table, scale):
     size, across = (table.number(key, LENGTH) for key in ("size", "across"))
-    box = _box(table, own)
-    return lambda scale: geometry.bars(*box, max(size, 1 / scale.x), across)
+    return geometry.bars(*_box(table, scale), max(size, 1 / scale.x), across)
 
 
-def _pegs(table, own):
-    region = geometry.pegs(*_box(table, own), *(table.number(key, LENGTH) for key in ("size", "across", "down")))
-    return lambda scale: region
+def _pegs(table, scale):
+    return geometry.pegs(*_box(table, scale), *(table.number(key, LENGTH) for key in ("size", "across", "down")))
 
 
-def _slats(table, own):
+def _slats(table, scale):
     size, thickness = table.number("size", LENGTH), table.number("thickness", LENGTH, LENGTH.default)
     share, seed = table.number("share", SHARE, SHARE.default), table.number("seed", PICK, PICK.default)
-    box = _box(table, own)
-    return lambda scale: geometry.slats(*box, size, max(thickness, 1 / scale.x), share, seed)
+    return geometry.slats(*_box(table, scale), size, max(thickness, 1 / scale.x), share, seed)
 
 
-def _box(table, own):
+def _box(table, scale):
     x, y = table.number("x", PLACE, 0.0), table.number("y", PLACE, 0.0)
-    return x, y, table.number("width", LENGTH, own[0]), table.number("height", LENGTH, own[1])
+    return x, y, table.number("width", LENGTH, scale.own_width), table.number("height", LENGTH, scale.own_height)
 
 
 def _seen(box, scale):
@@ -238,7 +228,7 @@ def _seen(box, scale):
     return x - (wider - width) / 2, y - (higher - height) / 2, wider, higher
 
 
-# A kind of shape: the keys it takes beside kind and material, and what reads its table as a region for each Scale.
+# A kind of shape: the keys it takes beside kind and material, and what makes its table a region.
 KINDS = {
     "rectangle": (BOX, _rectangle),
     "ellipse": (BOX, _ellipse),

@@ -1,6 +1,9 @@
-"""The record of an entry: what a session did, as a dict for JSON, and back with every value checked."""
+"""Entries of a session as dicts for JSON, and back with every value checked, by one table of fields."""
 
+from collections.abc import Callable
+from dataclasses import replace
 from itertools import pairwise
+from typing import Any, NamedTuple
 
 from game.world.files.checked_table import CheckedTable, shown
 from game.world.sand import parameters
@@ -29,43 +32,101 @@ from game.world.sessions.action import (
 from game.world.sessions.history import REDO, UNDO, WAIT, Entry
 
 PLACE = Knob("place", 0.0, -1e6, 1e6, "cells", "a distance from the left or upper side of the lattice")
-PLAIN = {"flip": Flip, "clear": Clear, UNDO: UNDO, REDO: REDO, WAIT: WAIT}  # entries that say no more
 SPRAY = Knob("spray", 0, 0, 2**53, "", "which cells a spray picks; 0 picks all", whole=True)
 EDGE = Knob(
     "edge", 0, 0, parameters.BRUSH.high, "cells", "drawn inwards from a figure's outline; 0 draws all", whole=True
 )
 QUARTERS = Knob("quarters", 1, 1, 3, "", "of a turn, clockwise", whole=True)
-BRUSH = ("material", "diameter", "over_walls", "shape", "only", "spray", "colour")
-FIGURE = ("figure", "material", "from", "to", "edge", "over_walls", "colour")
 LONGEST_STROKE = 100_000  # segments
+ALWAYS = object()  # the default of what is always spelled out
+
+
+class Field(NamedTuple):
+    """One value of an act."""
+
+    key: str  # in the dict
+    attribute: str  # of the act
+    read: Callable  # (table, scenes known) -> the value
+    spell: Callable  # (value, scenes known) -> the value for JSON
+    default: Any = ALWAYS  # left out of the dict
+
+
+def _read_flag(table, key):
+    value = table.values.get(key, False)
+    if not isinstance(value, bool):
+        raise table.error(key, shown(value), "true or false")
+    return value
+
+
+def _plain(key, read, default=ALWAYS):
+    return Field(key, key, lambda table, known: read(table, key), lambda value, known: value, default)
+
+
+def _choice(key, options, default=ALWAYS):
+    return _plain(key, lambda table, key: table.choice(key, tuple(options)), default)
+
+
+def _number(key, knob, default=ALWAYS):
+    return _plain(key, lambda table, key: table.number(key, knob), default)
+
+
+def _place(key, attribute):
+    return Field(key, attribute, lambda table, known: _read_place(table, key), lambda place, known: _short(place))
+
+
+def _flag(key):
+    return _plain(key, _read_flag, False)
+
+
+MATERIAL, COLOUR, OVER_WALLS = _choice("material", MATERIALS), _choice("colour", DYES, AMBER), _flag("over_walls")
+FROM, TO = _place("from", "start"), _place("to", "end")
+BRUSH = (
+    MATERIAL,
+    _number("diameter", parameters.BRUSH),
+    OVER_WALLS,
+    _choice("shape", SHAPES, USUAL_SHAPE),
+    _choice("only", KINDS, ""),
+    _number("spray", SPRAY, 0),
+    COLOUR,
+)
+GLASS = Field(
+    "glass",
+    "glass",
+    lambda table, known: hourglass_spec.read(table.table("glass")),
+    lambda glass, known: glass.as_dict(),
+)
+FIXTURES = Field(
+    "fixtures",
+    "fixtures",
+    lambda table, known: read_fixtures(table),
+    lambda fixtures, known: [each.as_dict() for each in fixtures],
+)
+RULE = Field(
+    "rule", "rule", lambda table, known: scene_json.decode_rule(table.table("rule")), lambda rule, known: rule.as_dict()
+)
+SCENE = Field("scene", "scene", lambda table, known: scene_json.decode(table.table("scene"), known), scene_json.encode)
+ACTS = {  # what an entry is told to do: the act, and its fields in the order in which they are spelled
+    "paint": (Paint, (*BRUSH, FROM, TO)),
+    "stroke": (Paint, BRUSH),  # of which the path says where
+    "draw": (Draw, (_choice("figure", FIGURES), MATERIAL, FROM, TO, _number("edge", EDGE, 0), OVER_WALLS, COLOUR)),
+    "fill": (Fill, (MATERIAL, _place("place", "place"), COLOUR)),
+    "turn": (Turn, (_number("quarters", QUARTERS),)),
+    "reshape": (Reshape, (GLASS, _flag("refill"))),
+    "fixtures": (SetFixtures, (FIXTURES,)),
+    "rule": (SetRule, (RULE,)),
+    "load": (Load, (SCENE, _number("seed", parameters.SEED))),
+    "flip": (Flip, ()),
+    "clear": (Clear, ()),
+}
+NAMES = {act: name for name, (act, _) in ACTS.items() if name != "stroke"}
 
 
 def encode(entry, known):
     """Return an Entry as a dict; known: the scenes told of so far in the file, {start digest: scene}, added to."""
-    values = {"at": entry.at, "do": None}
-    match entry.what:
-        case Paint() as paint:
-            values |= {"do": "paint", **_brush(paint)}
-            values |= {"from": _place(paint.start, paint.diameter), "to": _place(paint.end, paint.diameter)}
-        case Draw() as draw:
-            values |= {"do": "draw", **_figure(draw)}
-        case Fill(material, place) as fill:
-            values |= {"do": "fill", "material": material, "place": _short(place), **_colour(fill)}
-        case Turn(quarters):
-            values |= {"do": "turn", "quarters": quarters}
-        case Reshape(glass, refill):
-            values |= {"do": "reshape", "glass": glass.as_dict()} | ({"refill": True} if refill else {})
-        case SetFixtures(fixtures):
-            values |= {"do": "fixtures", "fixtures": [each.as_dict() for each in fixtures]}
-        case SetRule(rule):
-            values |= {"do": "rule", "rule": rule.as_dict()}
-        case Load(scene, seed):
-            values |= {"do": "load", "scene": scene_json.encode(scene, known), "seed": seed}
-        case Flip() | Clear():
-            values["do"] = type(entry.what).__name__.lower()
-        case _:
-            values["do"] = entry.what
-    return values | ({"join": True} if entry.join else {})
+    what = _snapped(entry.what) if isinstance(entry.what, Paint) else entry.what
+    name = what if isinstance(what, str) else NAMES[type(what)]
+    fields = () if isinstance(what, str) else ACTS[name][1]
+    return {"at": entry.at, "do": name, **_spelled(what, fields, known), **_joined(entry)}
 
 
 def encode_story(entries, known):
@@ -84,67 +145,39 @@ def encode_story(entries, known):
 
 
 def decode(table, known):
-    """Return the entries, one or more, that a record tells of, a CheckedTable; raise TableError where it is none."""
+    """Return the entries, one or more, that a CheckedTable records; raise TableError where it records none."""
     at = table.number("at", parameters.MOMENT)
-    kind = table.choice(
-        "do", ("paint", "stroke", "draw", "fill", "turn", "reshape", "fixtures", "rule", "load", *PLAIN)
-    )
-    joined = _flag(table, "join")
-    if kind == "stroke":
+    name = table.choice("do", (*ACTS, UNDO, REDO, WAIT))
+    joined = _read_flag(table, "join")
+    if name == "stroke":
         return _decode_stroke(table, at, joined)
-    if kind == "paint":
-        table.allow(("at", "do", "join", *BRUSH, "from", "to"))
-        start, end = (_decode_place(table, key) for key in ("from", "to"))
-        what = Paint(start=start, end=end, **_decode_brush(table))
-    elif kind == "draw":
-        table.allow(("at", "do", "join", *FIGURE))
-        what = _decode_figure(table)
-    elif kind == "fill":
-        table.allow(("at", "do", "join", "material", "place", "colour"))
-        what = Fill(table.choice("material", tuple(MATERIALS)), _decode_place(table, "place"), _decode_colour(table))
-    elif kind == "turn":
-        table.allow(("at", "do", "join", "quarters"))
-        what = Turn(table.number("quarters", QUARTERS))
-    elif kind == "reshape":
-        table.allow(("at", "do", "join", "glass", "refill"))
-        what = Reshape(hourglass_spec.read(table.table("glass")), _flag(table, "refill"))
-    elif kind == "fixtures":
-        table.allow(("at", "do", "join", "fixtures"))
-        what = SetFixtures(read_fixtures(table))
-    elif kind == "rule":
-        table.allow(("at", "do", "join", "rule"))
-        what = SetRule(scene_json.decode_rule(table.table("rule")))
-    elif kind == "load":
-        table.allow(("at", "do", "join", "scene", "seed"))
-        what = Load(scene_json.decode(table.table("scene"), known), table.number("seed", parameters.SEED))
-    else:
-        table.allow(("at", "do", "join"))
-        what = PLAIN[kind] if isinstance(PLAIN[kind], str) else PLAIN[kind]()
-    return [Entry(at, what, joined)]
+    act, fields = ACTS.get(name, (None, ()))
+    table.allow(("at", "do", "join", *(each.key for each in fields)))
+    values = _read(table, fields, known)
+    return [Entry(at, act(**values) if act else name, joined)]
 
 
-def _brush(paint):
-    values = {"material": paint.material, "diameter": paint.diameter}
-    values |= {"over_walls": True} if paint.over_walls else {}
-    values |= {"shape": paint.shape} if paint.shape != USUAL_SHAPE else {}
-    values |= {"only": paint.only} if paint.only else {}
-    return values | ({"spray": paint.spray} if paint.spray else {}) | _colour(paint)
+def _spelled(act, fields, known):
+    """Return the dict of an act's fields, without those that have their defaults."""
+    values = [(each, getattr(act, each.attribute)) for each in fields]
+    return {each.key: each.spell(value, known) for each, value in values if value != each.default}
 
 
-def _colour(act):
-    return {"colour": act.colour} if act.colour != AMBER else {}
+def _read(table, fields, known):
+    """Return an act's values by attribute."""
+    return {
+        each.attribute: each.read(table, known) if each.key in table or each.default is ALWAYS else each.default
+        for each in fields
+    }
 
 
-def _figure(draw):
-    values = {"figure": draw.figure, "material": draw.material}
-    values |= {"from": _short(draw.start), "to": _short(draw.end)}
-    values |= {"edge": draw.edge} if draw.edge else {}
-    return values | ({"over_walls": True} if draw.over_walls else {}) | _colour(draw)
+def _joined(entry):
+    return {"join": True} if entry.join else {}
 
 
-def _place(place, diameter):
-    """Return a place as short as it can be written: the middle that a brush of that diameter takes there."""
-    return _short(snap(place, diameter))
+def _snapped(paint):
+    """Return the stroke between the places where its brush is centred, which are short to write."""
+    return replace(paint, start=snap(paint.start, paint.diameter), end=snap(paint.end, paint.diameter))
 
 
 def _short(place):
@@ -153,26 +186,26 @@ def _short(place):
 
 def _continues(before, paint):
     """Return whether a segment goes on where the one before ended, with the same brush."""
-    if not isinstance(paint, Paint) or _brush(before) != _brush(paint):
+    if not isinstance(paint, Paint):
         return False
-    return _place(before.end, before.diameter) == _place(paint.start, paint.diameter)
+    before, paint = _snapped(before), _snapped(paint)
+    return before.end == paint.start and before == replace(paint, start=before.start, end=before.end)
 
 
 def _encode_stroke(entries, known):
     """Return the record of segments: the path's points as [iterations since the point before, x, y], start first."""
     if len(entries) == 1:
         return encode(entries[0], known)
-    first = entries[0]
-    diameter = first.what.diameter
-    path = [[0, *_place(first.what.start, diameter)], [0, *_place(first.what.end, diameter)]]
-    path += [[each.at - before.at, *_place(each.what.end, diameter)] for before, each in pairwise(entries)]
-    values = {"at": first.at, "do": "stroke", **_brush(first.what), "path": path}
-    return values | ({"join": True} if first.join else {})
+    first, paints = entries[0], [_snapped(each.what) for each in entries]
+    waits = [0, *(each.at - before.at for before, each in pairwise(entries))]
+    path = [[0, *_short(paints[0].start)]]
+    path += [[wait, *_short(paint.end)] for wait, paint in zip(waits, paints, strict=True)]
+    return {"at": first.at, "do": "stroke", **_spelled(paints[0], BRUSH, known), "path": path, **_joined(first)}
 
 
 def _decode_stroke(table, at, joined):
-    table.allow(("at", "do", "join", *BRUSH, "path"))
-    brush = _decode_brush(table)
+    table.allow(("at", "do", "join", *(each.key for each in BRUSH), "path"))
+    brush = _read(table, BRUSH, {})
     path = table.values.get("path")
     wanted = f"2 to {LONGEST_STROKE + 1} points [iterations, x, y]"
     if not isinstance(path, list) or not 2 <= len(path) <= LONGEST_STROKE + 1:
@@ -193,44 +226,9 @@ def _decode_stroke(table, at, joined):
     return entries
 
 
-def _decode_brush(table):
-    """Return the fields of a Paint beside its places."""
-    return {
-        "material": table.choice("material", tuple(MATERIALS)),
-        "diameter": table.number("diameter", parameters.BRUSH),
-        "over_walls": _flag(table, "over_walls"),
-        "shape": table.choice("shape", tuple(SHAPES), USUAL_SHAPE),
-        "only": table.choice("only", tuple(KINDS)) if "only" in table else "",
-        "spray": table.number("spray", SPRAY, SPRAY.default),
-        "colour": _decode_colour(table),
-    }
-
-
-def _decode_colour(table):
-    return table.choice("colour", DYES, AMBER)
-
-
-def _decode_figure(table):
-    return Draw(
-        table.choice("figure", tuple(FIGURES)),
-        table.choice("material", tuple(MATERIALS)),
-        *(_decode_place(table, key) for key in ("from", "to")),
-        table.number("edge", EDGE, EDGE.default),
-        _flag(table, "over_walls"),
-        _decode_colour(table),
-    )
-
-
-def _decode_place(table, key):
+def _read_place(table, key):
     value = table.values.get(key)
     if not isinstance(value, list) or len(value) != 2:
         raise table.error(key, shown(value), "a place [x, y]")
     numbers = CheckedTable(table.file, dict(zip("xy", value, strict=True)), f"{table.where}{key}.")
     return numbers.number("x", PLACE), numbers.number("y", PLACE)
-
-
-def _flag(table, key):
-    value = table.values.get(key, False)
-    if not isinstance(value, bool):
-        raise table.error(key, shown(value), "true or false")
-    return value
