@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from game import Rule, World, advance
 from game.core.grain_colours import ROW
 from game.core.planes import layout
-from game.world.sand.active_bands import Activity
+from game.world.sand.active_bands import ActiveBands
 from tests import reference
 from tests.cells import NAMES, coloured, random_world, rows_of
 from tests.core.test_skipping import RULES as SKIPPING_RULES
@@ -156,4 +156,4 @@ def test_a_turn_carries_the_colours_and_four_quarters_are_the_identity(number, h
 def test_tracks_have_room_for_the_largest_band():
     for width in range(1, 16385, 61):
         where = layout(16384, width)
-        assert Activity(where).band_rows * where.stride <= ROW
+        assert ActiveBands(where).band_rows * where.stride <= ROW
