@@ -16,13 +16,13 @@ from game.play.pages.gallery import Gallery
 from game.play.pages.help import Help
 from game.play.panel import panel
 from game.play.plots.plots import Plots
-from game.play.storage.crash_recovery import Recovery
+from game.play.storage.crash_recovery import CrashRecovery
 from game.play.storage.files import Files
 from game.play.storage.journals import Journals
 from game.play.storage.open_sessions import Sessions
-from game.play.storage.photo_import import PhotoCard
+from game.play.storage.photo_import import PhotoImport
 from game.play.storage.recorder import Recorder
-from game.play.storage.settings_saver import Keeper
+from game.play.storage.settings_saver import SettingsSaver
 from game.play.timer.glow import Glow
 from game.play.timer.run_out_planner import Planner
 from game.play.timer.timer import Timer
@@ -36,7 +36,7 @@ from game.play.view.hints import Hints
 from game.play.view.notices import Notices
 from game.play.view.renderer import Screen
 from game.play.view.stats_card import Figures
-from game.play.window.audio import Mixer
+from game.play.window.audio import Audio
 from game.play.window.background import Background
 from game.play.window.hiss import Hiss
 from game.world.files.settings import Settings
@@ -72,24 +72,30 @@ class Toy:
         self.figures = Figures(self)
         self.notices = Notices(lambda: self.figures.height)
         self.background = Background(lambda error: self.notices.say(error, trouble=True))
-        self.mixer = Mixer(self.background)
+        self.audio = Audio(self.background)
         self.rewind, self.camera, self.blocks = Rewind(), Camera(self), Blocks(self)
         self.time_bar = time_bar.TimeBar()
-        self.files, self.gallery = Files(self), Gallery(self)
+        self.photo_import = PhotoImport(self.sessions, self.display)
+        self.files = Files(self.sessions, self.journals, self.photo_import, self.background, self.notices)
+        self.gallery = Gallery(self)
         self.help = Help(self)
         self.display.pages = self.help, self.gallery
         self.cursor = Cursor(self)
-        self.photo, self.question = PhotoCard(self), Question(self)
-        self.recorder, self.recovery, self.keeper = Recorder(self), Recovery(self), Keeper(self)
+        self.question = Question(self)
+        self.recorder = Recorder(self.sessions, self.display, self.background, self.notices)
+        self.crash_recovery = CrashRecovery(self.sessions, self.journals, self.question, self.background, self.notices)
+        self.settings_saver = SettingsSaver(
+            self.settings, self.sessions, self.brush, self.window, self.background, self.notices
+        )
         # the last one lies on top
-        self.overlays = [self.camera.badge, self.figures, self.question, self.photo, self.notices]
+        self.overlays = [self.camera.badge, self.figures, self.question, self.photo_import, self.notices]
         self.hearing, self.stepping, self.screen = Hearing(self), Stepping(self), Screen(self)
         # what looks at each frame once it is shown, by `update(now_s)`
-        self.watchers = [self.recorder, self.keeper, self.camera.badge, self.figures]
+        self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.figures]
         self._gather_instruments()
 
     def _gather_instruments(self):
-        self.hiss = Hiss(self)
+        self.hiss = Hiss(self.sessions, self.settings, self.audio, self.background, self.notices)
         self.watchers += [self.hiss, Hints(self)]
         self.forecasting = Forecasting(self)
         self.plots = Plots(self)
@@ -111,7 +117,7 @@ class Toy:
 
     def let_go(self):
         """Let go of all that a key or a button holds: nobody may hear it come up."""
-        cards = [card.ui for card in (self.question, self.photo) if card.shown]
+        cards = [card.ui for card in (self.question, self.photo_import) if card.shown]
         holders = self.brush, self.time_bar, self.camera, self.rewind, self.ahead, self.display.stage, self.panel.ui
         for each in (*holders, *cards):
             each.let_go()
@@ -135,9 +141,9 @@ class Toy:
         self.recorder.stop()
         self.forecasting.close()
         self.sessions.close()
-        self.keeper.close()
+        self.settings_saver.close()
         self.background.finish()
-        self.mixer.close()
+        self.audio.close()
 
     def _switch(self):
         """Show another session, or another scene: what else is heard in this frame finds it laid out."""

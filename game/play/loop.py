@@ -7,7 +7,7 @@ import pygame
 from game.play import splash
 from game.play.app import Toy
 from game.play.ui.theme import Theme
-from game.play.window.allocator import give_back_freed, spare_what_lasts
+from game.play.window.allocator import freeze_objects, return_freed_memory
 from game.play.window.layout import Layout, first_scale, first_size, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
 from game.world.background.compile_worker import StepThread, steps_to_play
@@ -22,7 +22,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
 
     timer_s: seconds that the timer is started with, if any.
     """
-    give_back_freed()
+    return_freed_memory()
     pygame.font.init()
     if not settings.has("ui_scale"):
         settings["ui_scale"] = first_scale(desktop_size())
@@ -35,7 +35,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
         if _make_ready(window, theme, worker):
             worker = StepThread(later)
             toy = Toy(window, scene, seed, p, settings)
-            toy.recovery.start()
+            toy.crash_recovery.start()
             if recording:
                 toy.files.play(recording, recording.scene.title)
             if timer_s is not None:
@@ -75,7 +75,7 @@ def run(toy, later=None):
         toy.frame(pygame.event.get(), now - before, now / 1e9, pointer)
         before = now
         if later and later.wait(0):
-            spare_what_lasts()
+            freeze_objects()
             later = None
         pace.tick(FRAMES_PER_SECOND)
 

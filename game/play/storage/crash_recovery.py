@@ -1,4 +1,4 @@
-"""The recovery: every session has a journal, and one that ended without a word can be gone on with."""
+"""Crash recovery: offers to resume a session whose journal was cut off."""
 
 from datetime import datetime
 from functools import partial
@@ -11,42 +11,43 @@ from game.world.sessions.journal import Journal
 from game.world.sessions.session import SEEK_NS, Session
 
 
-class Recovery:
-    """Keeps the journals of the window's sessions, and offers what a crash left."""
+class CrashRecovery:
+    """Keeps journals from the start of the window, and offers what a crash left."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, sessions, journals, question, background, notices):
+        self._sessions, self._journals, self._question = sessions, journals, question
+        self._background, self._notices = background, notices
 
     def start(self):
         """Keep journals from now on, and look for one that a crash left."""
-        toy = self._toy
-        toy.journals.keep()
-        toy.journals.begin(toy.sessions.now, toy.sessions.now.timeline.history.story())
-        toy.background.do(lambda: next(journal.unfinished(), None), self._offer)
+        session = self._sessions.now
+        self._journals.keep()
+        self._journals.begin(session, session.timeline.history.story())
+        self._background.do(lambda: next(journal.unfinished(), None), self._offer)
 
     def _offer(self, path):
         if path is None:
             return
         when = datetime.fromtimestamp(path.stat().st_mtime)
-        text = f"A session of {when:%d %B, %H:%M}, was cut off. Nothing of it is lost: it can go on where it was."
+        text = f"Your session of {when:%d %B, %H:%M}, was cut off. Nothing in it is lost."
         answers = (
-            Answer("Go on", partial(self._go_on, path), pygame.K_RETURN, "Enter"),
+            Answer("Resume", partial(self._resume, path), pygame.K_RETURN, "Enter"),
             Answer("Later", None, pygame.K_ESCAPE, "Esc"),
-            Answer("Let it go", partial(self._let_go, path), pygame.K_DELETE, "Del"),
+            Answer("Discard", partial(self._discard, path), pygame.K_DELETE, "Del"),
         )
-        self._toy.question.ask("Go on where you were?", text, answers)
+        self._question.ask("Resume your last session?", text, answers)
 
-    def _go_on(self, path):
-        self._toy.background.do(partial(Journal.resume, path), self._take_up)
+    def _resume(self, path):
+        self._background.do(partial(Journal.resume, path), self._open)
 
-    def _take_up(self, found):
-        toy = self._toy
-        session = Session.retold(found[1])
-        session.journal = found[0]
-        session.paused = True
-        toy.sessions.open(session)
-        session.seek(found[1].end, SEEK_NS)
-        toy.notices.say(found[1].problem or "Here you were. Space lets time go on.")
+    def _open(self, found):
+        """Open (the Journal, its Recording), paused where it was cut off."""
+        kept, recording = found
+        session = Session.retold(recording)
+        session.journal, session.paused = kept, True
+        self._sessions.open(session)
+        session.seek(recording.end, SEEK_NS)
+        self._notices.say(recording.problem or "Your session is back, paused. Space resumes it.")
 
-    def _let_go(self, path):
-        self._toy.background.do(partial(journal.finish, path))
+    def _discard(self, path):
+        self._background.do(partial(journal.finish, path))

@@ -1,4 +1,4 @@
-"""Files that go in and out of the window: scenes saved and opened, whatever is dropped on it."""
+"""Files: saves the scene, and opens scenes, replays and pictures, also those dropped on the window."""
 
 from functools import partial
 from pathlib import Path
@@ -21,12 +21,13 @@ def demos():
 class Files:
     """Saves and opens beside the frames, and says on the screen what came of it."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, sessions, journals, photo_import, background, notices):
+        self._sessions, self._journals, self._photo_import = sessions, journals, photo_import
+        self._background, self._notices = background, notices
 
     def save(self):
         """Save the scene as it is now as a picture in the user's folder."""
-        session = self._toy.sessions.now
+        session = self._sessions.now
         still = SimpleNamespace(
             world=session.world.copy(), scene=session.scene, rule=session.rule, seed=session.seed, clock=session.clock
         )
@@ -36,11 +37,11 @@ class Files:
             save_picture(path, still)
             return path
 
-        self._toy.background.do(work, lambda path: self._toy.notices.say(f"Saved as {path}"))
+        self._background.do(work, lambda path: self._notices.say(f"Saved as {path}"))
 
     def open(self, path):
         """Open a scene, a replay, a saved scene or any picture."""
-        self._toy.background.do(partial(read, path), self._take)
+        self._background.do(partial(read, path), self._take)
 
     def play_demo(self, name):
         """Play a shipped replay."""
@@ -48,23 +49,22 @@ class Files:
 
     def play(self, recording, name):
         """Play a Recording from its beginning; this session waits behind it."""
-        toy = self._toy
         session = Session.retold(recording)
-        toy.journals.begin(session, recording.entries)
-        toy.sessions.open(session)
-        toy.notices.say(recording.problem or f"Replay: {name}. Paint at any time and it is yours.")
+        self._journals.begin(session, recording.entries)
+        self._sessions.open(session)
+        self._notices.say(recording.problem or f"Replay: {name}. Paint at any time and it is yours.")
 
     def _take(self, found):
         what, name = found
         if isinstance(what, Recording):
             self.play(what, name)
         elif isinstance(what, Photo):
-            self._toy.photo.show(what)
+            self._photo_import.show(what)
         else:
-            scene, seed = what if isinstance(what, SeededScene) else (what, self._toy.sessions.now.seed)
+            scene, seed = what if isinstance(what, SeededScene) else (what, self._sessions.now.seed)
             opened = f"Opened {name}. Ctrl+Z takes you back."
             waits = f"{name} was not opened: the sand is still being computed."
-            self._toy.notices.say(opened if self._toy.sessions.open_scene(scene, seed) else waits)
+            self._notices.say(opened if self._sessions.open_scene(scene, seed) else waits)
 
 
 def read(path):

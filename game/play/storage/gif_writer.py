@@ -13,7 +13,7 @@ TRAILER = b";"
 UNIT_MS = 10  # in which a GIF counts time
 
 
-class Gif:
+class GifWriter:
     """A GIF being written beside its place, and put there in one step when it is complete. Raises FileError."""
 
     def __init__(self, path, colours):

@@ -1,6 +1,6 @@
 """The open sessions: the one that is played, and those it was opened over, which wait to be gone back to."""
 
-from game.play.window.allocator import give_back_holes
+from game.play.window.allocator import trim_heap
 from game.world.sand import parameters
 from game.world.scenes.scene import load_scene, scene_title
 from game.world.sessions.action import Load
@@ -49,7 +49,7 @@ class Sessions:
         if not self.do(Load(scene, seed)):
             return False
         self._on_switch()
-        give_back_holes()
+        trim_heap()
         return True
 
     def open(self, session, keep=False):
@@ -63,7 +63,7 @@ class Sessions:
                 self._end(self._waiting.pop(1))
         else:
             self._end(before)
-        give_back_holes()
+        trim_heap()
 
     def leave(self):
         """Go back to the session that this one was opened over; return whether there is one."""
@@ -71,7 +71,7 @@ class Sessions:
             return False
         self._end(self.now)
         self._play(self._waiting.pop())
-        give_back_holes()
+        trim_heap()
         return True
 
     @property

@@ -1,4 +1,4 @@
-"""The photo: a picture on its way to become sand, shown as it would be, with its threshold to be turned."""
+"""Photo import: shows a photo as the sand that it would become, with a threshold to adjust."""
 
 import numpy as np
 import pygame
@@ -11,14 +11,14 @@ from game.world.scenes.picture_file import THRESHOLD
 WIDTH = 360  # pixels at scale 1
 TOP = 16
 PICTURE_HEIGHT = 220
-MARKS = {pygame.K_RETURN: True, pygame.K_KP_ENTER: True, pygame.K_ESCAPE: False}
+ANSWERS = {pygame.K_RETURN: True, pygame.K_KP_ENTER: True, pygame.K_ESCAPE: False}  # whether the photo is used
 
 
-class PhotoCard:
-    """The photo that is being looked at, if any."""
+class PhotoImport:
+    """The card with the photo that is being looked at, if any."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, sessions, display):
+        self._sessions, self._display = sessions, display
         self._card = self._photo = self._found = None
         self._threshold, self._in_colours = THRESHOLD.default, True
 
@@ -36,26 +36,26 @@ class PhotoCard:
         """Open the card with a Photo."""
         self._photo, self._threshold, self._in_colours = photo, THRESHOLD.default, True
         self._found = photo.picture(self._threshold, self._in_colours)
-        self._card = Card(self._toy.display.theme, WIDTH)
-        self._toy.display.refresh()
+        self._card = Card(self._display.theme, WIDTH)
+        self._display.refresh()
 
     def handle_events(self, events, now_s, mouse_pos):
-        """Turn the threshold, take the photo or leave it; return the events that are not the card's."""
-        rest = self._card.lay_out(self._toy, self._toy.display.theme.px(TOP), events, now_s, mouse_pos)
+        """Adjust the threshold, use the photo or cancel; return the events that are not the card's."""
+        rest = self._card.lay_out(self._display, self._display.theme.px(TOP), events, now_s, mouse_pos)
         ui = self.ui
         ui.heading(f"{self._photo.path.name} as sand")
-        self._room = ui.place(self._toy.display.theme.px(PICTURE_HEIGHT), self._toy.display.theme.px(8))
+        self._room = ui.place(self._display.theme.px(PICTURE_HEIGHT), self._display.theme.px(8))
         threshold = ui.slider("Threshold", THRESHOLD, self._threshold, tip=None)
-        in_colours = ui.toggle("In colours", self._in_colours, tip="Gives each grain the dye most like the photo there")
+        in_colours = ui.toggle("In colours", self._in_colours, tip="Gives each grain the nearest sand colour")
         if (threshold, in_colours) != (self._threshold, self._in_colours):
             self._threshold, self._in_colours = threshold, in_colours
             self._found = self._photo.picture(threshold, in_colours)
         ui.row(2)
-        taken, left = ui.button("Take it", key="Enter"), ui.button("Leave it", key="Esc")
-        keys = [event.key for event in rest if event.type == pygame.KEYDOWN and event.key in MARKS]
-        if taken or left or keys:
-            self._close(taken or (not left and MARKS[keys[0]]))
-        return [event for event in rest if not (event.type == pygame.KEYDOWN and event.key in MARKS)]
+        used, cancelled = ui.button("Use", key="Enter"), ui.button("Cancel", key="Esc")
+        keys = [event.key for event in rest if event.type == pygame.KEYDOWN and event.key in ANSWERS]
+        if used or cancelled or keys:
+            self._close(used or (not cancelled and ANSWERS[keys[0]]))
+        return [event for event in rest if not (event.type == pygame.KEYDOWN and event.key in ANSWERS)]
 
     def draw(self, surface, theme, area):
         """Draw the card with the photo as it would be; return the rects that it covers."""
@@ -65,11 +65,11 @@ class PhotoCard:
         surface.blit(sprite, sprite.get_rect(center=room.center))
         return covered
 
-    def _close(self, taken):
-        """Close the card, unless what it shows is to be taken and cannot be yet."""
-        if not taken or self._toy.sessions.open_scene(self._found.scene, self._found.seed):
+    def _close(self, used):
+        """Close the card, unless the photo is to be used and cannot be yet."""
+        if not used or self._sessions.open_scene(self._found.scene, self._found.seed):
             self._card = None
-            self._toy.display.refresh()
+            self._display.refresh()
 
 
 def _sprite(scene, size, colours):

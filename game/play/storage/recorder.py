@@ -7,7 +7,7 @@ from functools import partial
 import numpy as np
 import pygame
 
-from game.play.storage.gif_writer import Gif
+from game.play.storage.gif_writer import GifWriter
 from game.world.files.paths import new_file
 from game.world.looks import painter as picture
 from game.world.looks.themes import NIGHT, dyed_palette
@@ -27,8 +27,9 @@ MOST_WAITING = 50  # frames that the writer may be behind; those that come then 
 class Recorder:
     """Takes pictures and records; all writing is done beside the frames."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, sessions, display, background, notices):
+        self._sessions, self._display = sessions, display
+        self._background, self._notices = background, notices
         self._film = self._frames = None  # while recording: the Film, and the queue to its writer
         self._since_s = self._last_s = None
         self._share = None  # how much of the past is written, while that goes on
@@ -47,19 +48,19 @@ class Recorder:
 
     def shoot_window(self):
         """Save a picture of the window as it is."""
-        surface = self._toy.display.window.surface.copy()
+        surface = self._display.window.surface.copy()
         self._save_picture(partial(_image_of, surface))
 
     def shoot_sand(self):
         """Save a picture of the sand, its cells as many whole pixels wide as they are on the screen."""
-        world = self._toy.sessions.now.world.copy()
+        world = self._sessions.now.world.copy()
         most = LARGEST_PICTURE // max(world.shape)
-        scale = max(1, min(round(self._toy.display.stage.view.cell), most))
+        scale = max(1, min(round(self._display.stage.view.cell), most))
         self._save_picture(partial(_image_of_sand, world, scale, *self._looks()))
 
     def _save_picture(self, draw):
         """Save the image that draw() returns, beside the frames."""
-        name = self._toy.sessions.now.scene.name
+        name = self._sessions.now.scene.name
 
         def work():
             image = draw()
@@ -71,19 +72,19 @@ class Recorder:
                 raise error
             return path
 
-        self._toy.background.do(work, lambda path: self._toy.notices.say(f"Picture saved as {path}"))
+        self._background.do(work, lambda path: self._notices.say(f"Picture saved as {path}"))
 
     def toggle(self):
         """Record what follows, or end that."""
         if self.going_on:
             self.stop()
             return
-        session = self._toy.sessions.now
+        session = self._sessions.now
         self._film = Film(session.world.shape, session.scene.cell, *self._looks())
         self._frames = frames = queue.SimpleQueue()  # without an end, so that nothing ever waits to put into it
         self._since_s = self._last_s = None
         work = partial(_write, session.scene.name, self._film, iter(frames.get, None))
-        self._toy.background.do(work, self._say_where, partial(self._give_up, frames))
+        self._background.do(work, self._say_where, partial(self._give_up, frames))
 
     def stop(self):
         """End the recording of what follows, if one goes on."""
@@ -99,7 +100,7 @@ class Recorder:
         passed_ms = FRAME_MS if self._last_s is None else (now_s - self._last_s) * 1e3
         if passed_ms < FRAME_MS - 1:
             return
-        world = self._toy.sessions.now.world
+        world = self._sessions.now.world
         if world.shape != self._film.shape or now_s - self._since_s > LONGEST_S:
             self.stop()
         elif self._frames.qsize() < MOST_WAITING:
@@ -108,8 +109,8 @@ class Recorder:
 
     def record_past(self):
         """Record the last seconds again, from the timeline."""
-        session = self._toy.sessions.now
-        if self._share is not None or not self._toy.sessions.ready():
+        session = self._sessions.now
+        if self._share is not None or not self._sessions.ready():
             return
         end, speed = session.now, session.clock.speed
         start = max(0, end - round(PAST_S * speed))
@@ -119,7 +120,7 @@ class Recorder:
         self._share = 0.0
         again = _again(session.timeline, ats)
         frames = self._counted(film, again, len(ats))
-        self._toy.background.do(partial(_write, session.scene.name, film, frames, self._forget_share), self._say_where)
+        self._background.do(partial(_write, session.scene.name, film, frames, self._forget_share), self._say_where)
 
     def _counted(self, film, worlds, count):
         for number, world in enumerate(worlds, 1):
@@ -129,7 +130,7 @@ class Recorder:
 
     def _looks(self):
         """Return the colours of the theme, and what the walls are made of."""
-        return self._toy.display.colours, self._toy.sessions.now.scene.made_of
+        return self._display.colours, self._sessions.now.scene.made_of
 
     def _forget_share(self):
         self._share = None
@@ -140,7 +141,7 @@ class Recorder:
             self._frames = None
 
     def _say_where(self, path):
-        self._toy.notices.say(f"Recorded as {path}")
+        self._notices.say(f"Recorded as {path}")
 
 
 class Film:
@@ -187,7 +188,7 @@ def _image_of_sand(world, scale, colours, walls):
 def _write(name, film, frames, at_the_end=None):
     """Write frames (pixels, milliseconds) of a film to a new GIF and return its path."""
     try:
-        gif = Gif(new_file("pictures", name, ".gif"), film.colours)
+        gif = GifWriter(new_file("pictures", name, ".gif"), film.colours)
         try:
             for pixels, ms in frames:
                 gif.add(pixels, ms)

@@ -177,7 +177,7 @@ class Timer:
         toy.notices.say(self.said)
         toy.glow.start(now_s)
         if toy.settings["chime"] and self._chime is not None:
-            toy.mixer.play(self._chime, toy.settings["volume"])
+            toy.audio.play(self._chime, toy.settings["volume"])
 
     def _account(self, ending, gone_s):
         """Return how exact the end was, in words."""

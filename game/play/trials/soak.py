@@ -20,7 +20,7 @@ import pygame
 from game.core import jit
 from game.play.app import Toy
 from game.play.trials.random_input import Hand
-from game.play.window.allocator import give_back_freed, resident_mb, spare_what_lasts
+from game.play.window.allocator import freeze_objects, resident_mb, return_freed_memory
 from game.play.window.window import Window
 from game.world.background import kernel_warmup
 from game.world.files.settings import Settings
@@ -45,15 +45,15 @@ class Soak:
     """The toy, the hand that uses it, and what is known about it so far."""
 
     def __init__(self, seed):
-        give_back_freed()
+        return_freed_memory()
         settings = Settings()
         settings["memory"] = MEMORY_MB
         window, scene = Window(SIZE), load_scene(SCENES[0])
         for _, act in (*kernel_warmup.steps(scene.rule, scene.made_of), *kernel_warmup.later_steps(scene.rule)):
             act()
         self.toy = Toy(window, scene, settings=settings)
-        self.toy.recovery.start()
-        spare_what_lasts()
+        self.toy.crash_recovery.start()
+        freeze_objects()
         self.hand = Hand(seed)
         self.frames = self.acts = 0
         self.longest_s = self.worked_s = 0.0  # the longest frame, and what of it was work of this thread

@@ -18,15 +18,15 @@ class Card:
         self._width = width  # pixels at scale 1
         self.rect = pygame.Rect(0, 0, 0, 0)
 
-    def lay_out(self, toy, top, events, now_s, mouse_pos):
+    def lay_out(self, display, top, events, now_s, mouse_pos):
         """Begin a frame of controls at `top` pixels under the upper edge of the sand; return the events left over."""
-        theme, area = toy.display.theme, toy.display.layout.sand
+        theme, area = display.theme, display.layout.sand
         self.ui.theme = theme
         wide = min(theme.px(self._width), area.width - 2 * theme.px(8))
         high = min(self.ui.focus.scroll.content or theme.px(GUESS), area.height - top)
         rect = pygame.Rect(area.centerx - wide // 2, area.y + top, wide, high)
         if events or rect != self.rect:
-            toy.display.refresh()
+            display.refresh()
         self.rect = rect
         return self.ui.begin(rect, events, now_s, mouse_pos)
 

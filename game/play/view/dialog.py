@@ -48,7 +48,7 @@ class Question:
 
     def handle_events(self, events, now_s, mouse_pos):
         """Take the answer, if one is among the events, and return the events that are not the question's."""
-        rest = self._card.lay_out(self._toy, self._toy.display.theme.px(TOP), events, now_s, mouse_pos)
+        rest = self._card.lay_out(self._toy.display, self._toy.display.theme.px(TOP), events, now_s, mouse_pos)
         ui, chosen = self.ui, None
         ui.heading(self._title)
         ui.text(self._text)

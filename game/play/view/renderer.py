@@ -73,7 +73,7 @@ class Screen:
         marks = tilt.marks(toy.sessions.now.rule, view) + fixture_tool.marks(
             toy.sessions.now.world.fixtures, view, toy.display.theme.px
         )
-        if toy.camera.busy or toy.photo.shown:
+        if toy.camera.busy or toy.photo_import.shown:
             return marks
         if toy.cursor.on and not toy.brush.by_mouse:
             return marks + toy.cursor.marks(view)

@@ -1,4 +1,4 @@
-"""The mixer: the one place that opens the sound card, once somebody wants to be heard; without one all is silent."""
+"""Audio: the one place that opens the sound card, when the first sound is wanted. Without a card all is silent."""
 
 import contextlib
 import os
@@ -9,16 +9,16 @@ import numpy as np
 import pygame
 
 RATE = 44_100  # samples a second
-BUFFER = 1024  # samples: less stutters on a busy machine, more lags behind the sand
+BUFFER = 1024  # samples: with fewer it stutters on a busy machine, with more it lags behind the sand
 LATE_S = 2.0  # a sound that had to wait longer for the card is not played any more
 
 
-class Mixer:
+class Audio:
     """Sounds as (samples, 2) float arrays in [-1, 1], left and right, played when the card is there."""
 
     def __init__(self, background):
         self._background = background
-        self.asked = False  # somebody wanted to be heard
+        self.asked = False  # a sound was wanted
         self.ready = False
         self.trouble = None  # why there is no sound, or None
         self._waiting = []  # (when asked for, wave, volume)
@@ -30,7 +30,7 @@ class Mixer:
             self._background.do(_opened, self._take)
 
     def play(self, wave, volume=1.0):
-        """Play a sound once; it is left out where there is no card."""
+        """Play a sound once, or nothing where there is no card."""
         self.open()
         if self.ready:
             sound_of(wave, volume).play()
@@ -38,7 +38,7 @@ class Mixer:
             self._waiting.append((time.monotonic(), wave, volume))
 
     def close(self):
-        """Let the sound card go, heard of or not."""
+        """Close the sound card, if it was opened or is being opened."""
         if self.asked:
             self.ready = False
             pygame.mixer.quit()
@@ -58,7 +58,7 @@ def sound_of(wave, volume=1.0):
 
 
 def _opened():
-    """Open the card and return None, or why that is not possible."""
+    """Open the card and return None, or the reason why that failed."""
     try:
         with _quiet():
             pygame.mixer.init(RATE, -16, 2, BUFFER, allowedchanges=0)
@@ -69,7 +69,7 @@ def _opened():
 
 @contextlib.contextmanager
 def _quiet():
-    """Keep what the sound system's own library says on Linux away from the terminal: a page for a missing card."""
+    """Keep stderr quiet meanwhile: on Linux the sound library prints a page there where the card is missing."""
     if sys.platform != "linux":
         yield
         return

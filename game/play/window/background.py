@@ -1,4 +1,4 @@
-"""The background: work that takes longer than a frame is done in threads, and its outcome heard between two frames."""
+"""The background: runs work that takes longer than a frame in threads, and its callbacks between two frames."""
 
 import queue
 import threading
@@ -10,46 +10,46 @@ EXPECTED = FileError, OSError
 
 
 class Background:
-    """Threads at work, and what they have to say."""
+    """Threads at work, and the callbacks that wait for the next frame."""
 
-    def __init__(self, sorry):
-        """`sorry` is called with what to say of work that failed as work with files, or for want of memory, does."""
-        self._sorry = sorry
-        self._outcomes = queue.SimpleQueue()
+    def __init__(self, report):
+        """`report(error)` is called where work failed on a file or for lack of memory."""
+        self._report = report
+        self._callbacks = queue.SimpleQueue()
         self._threads = []
 
     @property
     def busy(self):
-        """Whether any work is not done, or its outcome not heard."""
-        return any(thread.is_alive() for thread in self._threads) or not self._outcomes.empty()
+        """Whether any work goes on, or a callback waits."""
+        return any(thread.is_alive() for thread in self._threads) or not self._callbacks.empty()
 
     def do(self, work, then=None, otherwise=None):
-        """Call `work()` in a thread, and then(its result), or otherwise() if it failed, at the next `update` after it."""
+        """Call `work()` in a thread; at the next `update` call then(its result), or otherwise() if it failed."""
 
         def run():
-            act = otherwise
+            callback = otherwise
             try:
                 result = work()
-                act = then and partial(then, result)
+                callback = then and partial(then, result)
             except EXPECTED as error:
-                self._outcomes.put(partial(self._sorry, error))
+                self._callbacks.put(partial(self._report, error))
             except MemoryError:
-                self._outcomes.put(partial(self._sorry, "There is not enough memory for that."))
+                self._callbacks.put(partial(self._report, "Not enough memory for that."))
             finally:
-                if act:
-                    self._outcomes.put(act)
+                if callback:
+                    self._callbacks.put(callback)
 
         thread = threading.Thread(target=run, daemon=True)
         self._threads = [*(each for each in self._threads if each.is_alive()), thread]
         thread.start()
 
     def update(self):
-        """Act on the outcomes so far."""
-        while not self._outcomes.empty():
-            self._outcomes.get()()
+        """Call the callbacks of all work that is done."""
+        while not self._callbacks.empty():
+            self._callbacks.get()()
 
     def finish(self):
-        """Wait for what is being written; nothing comes of it any more, for what would hear of it is gone."""
+        """Wait for all work, and drop its callbacks: those they would tell are gone."""
         for thread in self._threads:
             thread.join()
-        self._outcomes = queue.SimpleQueue()
+        self._callbacks = queue.SimpleQueue()

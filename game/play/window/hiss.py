@@ -1,4 +1,4 @@
-"""The hiss of flowing sand: as loud as much of it moves, and from where it moves. It costs nothing while it is off."""
+"""The hiss of flowing sand: louder the more of it moves, and heard from where it moves."""
 
 import math
 
@@ -9,44 +9,45 @@ from game.world.sand.measure import MotionMeter
 
 LOOK_S = 0.1  # from one look at the sand to the next
 GLIDE_S = 0.15  # how fast loudness and side follow
-LOUDEST = 10  # doublings of the number of moving grains until it gets no louder
+LOUDEST = 10  # log2 of the number of moving grains from which on it gets no louder
 CONTRAST = 1.5  # above 1, a trickle is quieter beside a flood
-WIDTH = 0.8  # of the way to the side that the hiss goes
+WIDTH = 0.8  # of full stereo
 SILENT = 0.002
 LOOP_S = 4.0
 RMS = 0.1  # of the loop, where full scale is 1
-TURBULENCE = 0.25  # how much its loudness wavers
+TURBULENCE = 0.25  # standard deviation of its loudness, as a part of it
 SEED = 11
-SILENCE = "No sound card was found: the sand stays silent."
+SILENCE = "No sound card was found, so the sand stays silent."
 
 
 class Hiss:
     """Follows the sand, if sound is chosen and there is a sound card."""
 
-    def __init__(self, toy):
-        self._toy = toy
-        self._stir = MotionMeter()
+    def __init__(self, sessions, settings, audio, background, notices):
+        self._sessions, self._settings, self._audio = sessions, settings, audio
+        self._background, self._notices = background, notices
+        self._motion = MotionMeter()
         self._sound = self._channel = None
         self._making = False
-        self._chosen = False  # sound was chosen just now, and the card has not answered yet
+        self._chosen = False  # sound was chosen, and whether there is a card is not known yet
         self._looked_s = self._then_s = 0.0
         self._goal = 0.0, 0.0  # loudness in [0, 1] and side in [-1, 1]
         self.level = self.side = 0.0  # on the way there
 
     def toggle(self):
-        """Choose sound, or silence."""
-        settings, mixer = self._toy.settings, self._toy.mixer
+        """Turn the sound on or off."""
+        settings, audio = self._settings, self._audio
         settings["sound"] = not settings["sound"]
-        self._chosen = settings["sound"] and mixer.trouble is None
-        if settings["sound"] and mixer.trouble is not None:
-            self._toy.notices.say(SILENCE)
+        self._chosen = settings["sound"] and audio.trouble is None
+        if settings["sound"] and audio.trouble is not None:
+            self._notices.say(SILENCE)
         else:
-            self._toy.notices.say("Sound is on" if settings["sound"] else "Sound is off")
+            self._notices.say("Sound is on" if settings["sound"] else "Sound is off")
 
     def show(self, ui):
         """Show the controls."""
-        settings = self._toy.settings
-        tip = "Lets the sand hiss: the more of it moves, the louder  (M)"
+        settings = self._settings
+        tip = "The sand hisses: the more of it moves, the louder  (M)"
         if ui.toggle("Sound", settings["sound"], tip=tip) != settings["sound"]:
             self.toggle()
         if settings["sound"]:
@@ -55,7 +56,7 @@ class Hiss:
 
     def update(self, now_s):
         """Let the hiss follow the sand."""
-        wanted = self._toy.settings["sound"]
+        wanted = self._settings["sound"]
         if not wanted and self._channel is None:
             return
         if wanted and self._sound is None:
@@ -63,25 +64,25 @@ class Hiss:
             return
         if now_s - self._looked_s >= LOOK_S:
             self._looked_s = now_s
-            self._goal = _heard(*self._stir.look(self._toy.sessions.now.world)) if wanted else (0.0, self.side)
+            self._goal = _heard(*self._motion.look(self._sessions.now.world)) if wanted else (0.0, self.side)
         self._glide(min(1.0, (now_s - self._then_s) / GLIDE_S))
         self._then_s = now_s
         self._play(wanted)
 
     def _prepare(self):
         """Open the sound card and make the loop, beside the frames."""
-        mixer = self._toy.mixer
-        mixer.open()
-        if self._chosen and mixer.trouble is not None:
+        audio = self._audio
+        audio.open()
+        if self._chosen and audio.trouble is not None:
             self._chosen = False
-            self._toy.notices.say(SILENCE)
-        if mixer.ready and not self._making:
+            self._notices.say(SILENCE)
+        if audio.ready and not self._making:
             self._making = True
-            self._toy.background.do(loop, self._take)
+            self._background.do(loop, self._take)
 
     def _take(self, wave):
         self._making = False
-        if self._toy.mixer.ready:  # it may have been closed meanwhile
+        if self._audio.ready:  # it may have been closed while the loop was made
             self._sound = sound_of(wave)
 
     def _glide(self, part):
@@ -93,7 +94,7 @@ class Hiss:
             self._channel = self._sound.play(loops=-1)
         if self._channel is None:  # all channels are taken
             return
-        loudness, angle = self.level * self._toy.settings["volume"], (1 + WIDTH * self.side) * math.pi / 4
+        loudness, angle = self.level * self._settings["volume"], (1 + WIDTH * self.side) * math.pi / 4
         self._channel.set_volume(loudness * math.cos(angle), loudness * math.sin(angle))
         if not wanted and self.level < SILENT:
             self._channel.stop()

@@ -1,4 +1,4 @@
-"""The icon: an hourglass half run out, drawn from the scene. `python -m game.play.window.icon FILE` writes it."""
+"""The icon: a half-empty hourglass, drawn from the scene. `python -m game.play.window.icon FILE` writes it."""
 
 import sys
 
@@ -14,7 +14,7 @@ from game.world.scenes.scene import load_scene
 
 FILE = asset("icon.png")
 SIDE = 256  # pixels
-CELLS = 42, 56  # of the glass: few, so that it is still a glass in the corner of a title bar
+CELLS = 42, 56  # of the lattice: few, so that the glass is still seen at the size of a title bar
 RUN = 260  # iterations: about half of the sand has fallen
 CELL = 4  # pixels
 RADIUS = 48  # of the corners

@@ -1,8 +1,8 @@
-"""The wall clock: seconds that go on while the computer sleeps, as those on a wall do."""
+"""The wall clock: seconds that go on while the computer sleeps."""
 
 import time
 
-# Linux counts the time asleep in a clock that nobody can set. Elsewhere the time of day is the one that surely does.
+# On Linux nobody can set this clock, and it counts time asleep. Elsewhere only the time of day surely does.
 if hasattr(time, "CLOCK_BOOTTIME"):
 
     def wall_clock():

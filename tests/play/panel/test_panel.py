@@ -91,7 +91,7 @@ def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, s
         left, top, right, bottom = stage.view.seen
         shown = layout.panel, layout.sand, layout.bar, layout.hud, pygame.Rect(left, top, right - left, bottom - top)
         assert all(pixels.contains(rect) and rect.width > 0 < rect.height for rect in shown)
-    assert glass.toy.photo.shown and glass.toy.help.shown
+    assert glass.toy.photo_import.shown and glass.toy.help.shown
 
 
 @pytest.mark.parametrize("name", scene_names())

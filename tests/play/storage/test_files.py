@@ -13,7 +13,7 @@ from PIL import Image
 from game.play.pages import saved_scenes
 from game.play.storage import recorder
 from game.play.storage.files import demos
-from game.play.storage.gif_writer import Gif
+from game.play.storage.gif_writer import GifWriter
 from game.play.storage.open_sessions import MOST_WAITING
 from game.world.files.paths import asset, folder_of
 from game.world.looks.painter import Painter
@@ -94,7 +94,7 @@ def test_a_photo_beside_the_saved_scenes_is_listed_upright_and_opened(player):
     assert tall == 2 * wide
     player.key(pygame.K_RETURN)
     player.settle()
-    assert player.toy.photo.shown
+    assert player.toy.photo_import.shown
 
 
 def test_del_puts_a_saved_scene_away_where_it_is_not_lost(player):
@@ -291,13 +291,13 @@ def test_a_photo_is_looked_at_before_it_is_taken(player, tmp_path):
     grey = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
     Image.fromarray(grey).convert("RGB").save(tmp_path / "grey.png")
     player.drop(tmp_path / "grey.png")
-    assert player.toy.photo.shown and player.session.scene.name == "blank"
+    assert player.toy.photo_import.shown and player.session.scene.name == "blank"
     player.frame()
-    track = player.toy.photo.ui.parts("Threshold")[0]
+    track = player.toy.photo_import.ui.parts("Threshold")[0]
     player.click((track.left + track.width * 3 // 4, track.centery))
     player.key(pygame.K_RETURN)
     sand = player.session.scene.sand
-    assert not player.toy.photo.shown and player.session.scene.shape == (48, 64)
+    assert not player.toy.photo_import.shown and player.session.scene.shape == (48, 64)
     assert 0 < sand.sum() < load_picture(tmp_path / "grey.png").scene.sand.sum()
 
 
@@ -305,7 +305,7 @@ def test_a_photo_can_be_left(player, tmp_path):
     Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
     player.drop(tmp_path / "grey.png")
     player.key(pygame.K_ESCAPE)
-    assert not player.toy.photo.shown and player.session.scene.name == "blank" and player.toy.running
+    assert not player.toy.photo_import.shown and player.session.scene.name == "blank" and player.toy.running
 
 
 @on_linux
@@ -314,7 +314,7 @@ def test_what_was_opened_from_a_file_of_any_name_is_saved_and_gone_on_with(playe
     photo = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
     Image.fromarray(photo).save(tmp_path / "grey.png")
     path = (tmp_path / "grey.png").rename(tmp_path / (length * "g" + UNSPELLED))
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.hold_time()
     player.drop(path)
     player.wait(1)
@@ -348,10 +348,10 @@ def test_a_photo_waits_until_the_sand_can_give_way_to_it(late, tmp_path):
     Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
     late.drop(tmp_path / "grey.png")
     late.key(pygame.K_RETURN)
-    assert late.toy.photo.shown
+    assert late.toy.photo_import.shown
     late.session.timeline.goal = None
     late.key(pygame.K_RETURN)
-    assert not late.toy.photo.shown and late.session.scene.shape == (48, 64)
+    assert not late.toy.photo_import.shown and late.session.scene.shape == (48, 64)
 
 
 @pytest.mark.parametrize("name", ("bad.toml", "bad.sandglass", "bad.png", "bad.txt", "gone.toml", "gone.jpg", ""))
@@ -375,14 +375,14 @@ def crash(player):
 
 
 def test_a_session_cut_off_is_offered_and_goes_on_where_it_was(player):
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.drag(player.pixel(20, 20), player.pixel(60, 20))
     player.wait(10)
     player.key(pygame.K_f)
     at, cells = player.session.now, as_new(player.world)
     crash(player)
     player = Player()
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.settle()
     assert player.toy.question.shown
     player.key(pygame.K_RETURN)
@@ -394,11 +394,11 @@ def test_a_session_cut_off_is_offered_and_goes_on_where_it_was(player):
 
 @pytest.mark.parametrize(("key", "offered_again"), ((pygame.K_ESCAPE, True), (pygame.K_DELETE, False)))
 def test_a_session_cut_off_can_wait_or_be_let_go(player, key, offered_again):
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.click(player.pixel(20, 20))
     crash(player)
     player = Player()
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.settle()
     player.key(key)
     player.settle()
@@ -411,7 +411,7 @@ def test_the_question_does_not_keep_anyone_from_playing(player):
     begun = Journal.begin(player.session.scene, 0)
     begun.note(Entry(0, UNDO))
     begun.abandon()
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.settle()
     at = player.session.now
     player.drag(player.pixel(20, 60), player.pixel(60, 60))
@@ -423,14 +423,14 @@ def test_the_question_does_not_keep_anyone_from_playing(player):
 
 def test_a_journal_that_cannot_be_kept_costs_a_line_and_no_sand(player, own_folder):
     own_folder.write_text("a file where the folder should be")
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.click(player.pixel(20, 20))
     player.settle()
     assert "cannot keep a journal" in player.toy.notices.text and player.world.grains
 
 
 def test_a_journal_that_breaks_off_costs_a_line_and_no_sand(player):
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.settle()
     player.session.journal.abandon()
     player.session.journal._failed = OSError(28, "No space left on device")
@@ -442,7 +442,7 @@ def test_a_journal_that_breaks_off_costs_a_line_and_no_sand(player):
 
 
 def test_leaving_ends_the_journal(player):
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.click(player.pixel(20, 20))
     player.key(pygame.K_ESCAPE)
     player.key(pygame.K_ESCAPE)
@@ -451,7 +451,7 @@ def test_leaving_ends_the_journal(player):
 
 
 def test_a_file_that_is_read_when_the_window_closes_is_not_played_any_more(player):
-    player.toy.recovery.start()
+    player.toy.crash_recovery.start()
     player.settle()
     before = player.session
     path = asset("replays", f"{demos()[0]}.sandglass")
@@ -543,7 +543,7 @@ def test_the_last_frame_of_the_past_recorded_is_the_sand_now(glass):
 
 
 def test_no_frame_waits_for_the_writer(glass, monkeypatch):
-    monkeypatch.setattr(recorder.Gif, "add", lambda self, pixels, ms: time.sleep(0.2))
+    monkeypatch.setattr(recorder.GifWriter, "add", lambda self, pixels, ms: time.sleep(0.2))
     start = time.perf_counter()
     glass.key(pygame.K_g)
     for _ in range(40):
@@ -574,7 +574,7 @@ def test_a_recording_ends_by_itself(glass, monkeypatch):
 
 
 def test_a_film_lasts_as_long_as_its_frames_however_short_they_are(tmp_path):
-    film = Gif(tmp_path / "film.gif", bytes(768))
+    film = GifWriter(tmp_path / "film.gif", bytes(768))
     for number in range(60):
         film.add(np.full((4, 4), number, np.uint8), 1000 / 60)
     film.close()

@@ -8,8 +8,8 @@ import pytest
 HOLES = """
 import threading
 import numpy as np
-from game.play.window.allocator import give_back_freed, resident_mb
-assert give_back_freed()
+from game.play.window.allocator import return_freed_memory, resident_mb
+assert return_freed_memory()
 def work():  # as forecasts and planners do: large arrays that go, beside small ones that stay
     for number in range(40):
         large = [np.ones(rng.integers(2**18, 2**20)) for _ in range(4)]
@@ -34,11 +34,11 @@ def test_large_arrays_of_many_threads_leave_no_holes_behind():
 SMALL_ONES = """
 import numpy as np
 import pygame
-from game.play.window.allocator import give_back_freed, resident_mb
+from game.play.window.allocator import return_freed_memory, resident_mb
 from tests.play.player import Player
 
 pygame.font.init()
-give_back_freed()
+return_freed_memory()
 player = Player("hourglass")
 player.wait(3)
 mixed = [np.ones(size) for _ in range(1000) for size in (8000, 100)]  # 64 MB, as snapshots are, among what stays
@@ -89,7 +89,7 @@ def test_a_full_pass_of_the_garbage_collector_is_short_once_all_is_ready():
 LEFT = """
 import gc
 import pygame
-from game.play.window.allocator import spare_what_lasts
+from game.play.window.allocator import freeze_objects
 from game.world.sessions import timeline
 from game.world.files.paths import asset
 from game.world.sessions.snapshots import Snapshot
@@ -98,7 +98,7 @@ from tests.play.player import Player
 pygame.font.init()
 timeline.SPACING_NS, timeline.SHARE = 1, 0  # a snapshot wherever there may be one
 player = Player("fountain")
-spare_what_lasts()
+freeze_objects()
 for _ in range(50):
     player.session.timeline.run(50)
 left = player.session.timeline.snapshots

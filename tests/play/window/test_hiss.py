@@ -16,13 +16,13 @@ def heard(glass):
     glass.settle()
     glass.settle()
     yield glass
-    glass.toy.mixer.close()
+    glass.toy.audio.close()
 
 
 def test_nothing_is_looked_at_or_opened_unless_sound_is_chosen(glass, monkeypatch):
-    monkeypatch.setattr(glass.toy.hiss._stir, "look", lambda world: pytest.fail("looked"))
+    monkeypatch.setattr(glass.toy.hiss._motion, "look", lambda world: pytest.fail("looked"))
     glass.wait(30)
-    assert not glass.toy.mixer.asked
+    assert not glass.toy.audio.asked
 
 
 def test_flowing_sand_is_heard_and_held_sand_is_not(heard):
@@ -63,7 +63,7 @@ def test_the_volume_is_what_was_set_and_comes_from_its_side(heard, side):
 
 
 def test_without_a_card_the_player_is_told_once_and_plays_on(glass):
-    glass.toy.mixer.asked, glass.toy.mixer.trouble = True, "none"
+    glass.toy.audio.asked, glass.toy.audio.trouble = True, "none"
     glass.key(pygame.K_m)
     assert "No sound card" in glass.toy.notices.text
     at = glass.world.iteration
