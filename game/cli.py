@@ -123,7 +123,9 @@ def _bench_parser():
         "--quick", action="store_true", help="smaller lattices and fewer rounds: half a minute, not six"
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
-    parser.add_argument("--out", type=Path, metavar="DIR", help="write the tables as Markdown and JSON, and a picture")
+    parser.add_argument(
+        "--out", type=Path, metavar="DIR", help="write the tables as README.md and JSON, with a picture"
+    )
     return parser
 
 
@@ -133,7 +135,13 @@ def _study_parser():
         description="Measure how right the sand is, row by row against what is expected; status 1 if a row disagrees.",
     )
     parser.add_argument("--quick", action="store_true", help="a run of less than a minute, with larger errors")
-    parser.add_argument("--out", type=Path, default=Path("study"), metavar="DIR", help="where the report goes")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=Path("study"),
+        metavar="DIR",
+        help="where README.md, the whole report and its pictures go",
+    )
     parser.add_argument("--part", action="append", metavar="NAME", help="run this part only; may be given again")
     return parser
 

@@ -15,7 +15,7 @@ TITLE = "6. Sand as physics"
 WIDTH, HEIGHT = 96, 200  # cells, of the hopper
 BELOW = 40  # rows under the neck
 CLEARED = 8  # rows under the neck that keep their sand
-BITE = 24  # iterations between two clearings: a whole number of rounds, and fewer than a grain needs to the ground
+INTERVAL = 24  # iterations between two clearings: a whole number of rounds, and fewer than a grain needs to the ground
 GRAINS = 900  # in a column that becomes a pile: 30 cells high
 LOOK = 200  # iterations between two looks at it
 NECKS = (2, 4, 6, 8, 12, 16, 24)  # cells
@@ -28,7 +28,7 @@ BEVERLOO = "real sand: flow ∝ width^3/2 in two dimensions (Beverloo, Leniger &
 CONSTANT = "real sand: the flow of an hourglass hardly depends on the height above (Janssen 1895; Beverloo 1961)"
 REPOSE = "real dry sand: 30-35° (textbook angle of repose)"
 STEPS = "a grain on a step of two cells can topple, whatever p > 0"
-READING = (
+CONCLUSION = (
     "Right: sand is conserved and heaps into cones with straight flanks, and at p ≥ 0.75 a glass runs out at a rate "
     "that does not depend on how much is left. Not right: at p ≤ 0.5 the flow dwindles with the sand above; the slope "
     "is close to 45° for every p, because the lattice sets it and p only says how long it takes to get there (cells "
@@ -45,7 +45,7 @@ def run(study):
     yield from _heights(study)
     yield from _slopes(study)
     yield _free_fall()
-    yield READING
+    yield CONCLUSION
 
 
 def _necks(study):
@@ -167,13 +167,13 @@ class Hopper:
         """How many grains are above the neck."""
         return grains_above(self.world, self.row)
 
-    def run(self, bites):
-        """Let it flow for so many bites; return the flow in grains per iteration."""
+    def run(self, intervals):
+        """Let it flow for so many intervals; return the flow in grains per iteration."""
         total = 0.0
-        for _ in range(bites):
-            total += flow(self.world, self.rule, BITE, self.row)
+        for _ in range(intervals):
+            total += flow(self.world, self.rule, INTERVAL, self.row)
             self._clear()
-        return total / bites
+        return total / intervals
 
     def _clear(self):
         """Take away what has left, which would pile up to the neck."""

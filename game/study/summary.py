@@ -32,14 +32,20 @@ LEGEND = (
     "*differs* marks a claim of the paper, or a law of real sand, that the model does not bear out. *disagrees* marks "
     "a fault of this program. The same run writes `study.md`, with every row, table and picture."
 )
+DEFAULTS = (
+    "So the defaults are: p to 32 bits and a fresh draw for every candidate, since less costs as much and shows; "
+    "10,000 runs for a density; about three pixels to a cell, where a glass still looks like the fine one at a "
+    "fraction of its cost."
+)
 
 
 def summary(report):
-    """Return the items of the summary: how many rows have which verdict, the HEADLINES and the PICTURES."""
+    """Return the items of the summary: counts of verdicts, the HEADLINES, the PICTURES and what follows."""
     counts = [(section.title, *count_verdicts(section.rows).values()) for section in report.sections]
     return [
         LEGEND,
         Table.of("", ("part", *VERDICTS), counts),
         *(row for row in report.rows if row.quantity in HEADLINES),
         *(item for item in report.items if isinstance(item, Picture) and item.name in PICTURES),
+        DEFAULTS,
     ]

@@ -5,7 +5,7 @@ import pytest
 
 from game import Rule, World, advance
 from game.study.paper.sticking import glass, stuck
-from game.study.physics import BITE, PER_COLUMN, Hopper
+from game.study.physics import INTERVAL, PER_COLUMN, Hopper
 from game.study.report.statistics import Sample, shape_of
 from game.study.trade import cell_sizes, part
 from game.study.trade.chance_settings import shortened
@@ -25,7 +25,7 @@ def test_a_plug_falls_column_by_column_and_then_the_surface_flows_whatever_the_n
 def test_a_hopper_loses_nothing_but_what_flows_out():
     hopper = Hopper(40, 60, 4, 0.5)
     before = hopper.grains
-    left = round(BITE * 3 * hopper.run(3))
+    left = round(INTERVAL * 3 * hopper.run(3))
     assert left > 0 and hopper.grains == before - left
 
 

@@ -49,7 +49,7 @@ class Timing:
 
     def times(self, other):
         """Return how many times as long as `other` this took: the median over the rounds they shared."""
-        return statistics.median(own / its for own, its in zip(self.samples, other.samples, strict=True))
+        return statistics.median(mine / theirs for mine, theirs in zip(self.samples, other.samples, strict=True))
 
     def as_dict(self):
         """The median, the range and the number of rounds, as the JSON has them."""
@@ -92,19 +92,14 @@ def _spread(unit_ns, timing):
 MILLISECONDS, MICROSECONDS = partial(_spread, 1e6), partial(_spread, 1e3)
 
 
-def ours(key, world, rule, batch):
-    """Return `batch` iterations in one call."""
-    return Workload(key, lambda state: advance(state, rule, batch), _in_play(world, rule), batch)
-
-
-def ours_one_by_one(key, world, rule, calls):
-    """Return `calls` calls of one iteration each."""
+def ours(key, world, rule, batch, calls=1):
+    """Return `calls` calls of `batch` iterations each."""
 
     def act(state):
         for _ in range(calls):
-            advance(state, rule, 1)
+            advance(state, rule, batch)
 
-    return Workload(key, act, _in_play(world, rule), calls)
+    return Workload(key, act, _in_play(world, rule), batch * calls)
 
 
 def _in_play(world, rule):

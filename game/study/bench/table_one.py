@@ -2,7 +2,7 @@
 
 from game.study.bench import worlds
 from game.study.bench.checks import same_as_twin
-from game.study.bench.rounds import MILLISECONDS, ours, ours_one_by_one, take_turns, xor_pass
+from game.study.bench.rounds import MILLISECONDS, ours, take_turns, xor_pass
 from game.study.report import table
 from game.study.report.report import Section
 from game.study.report.table import Column, Table
@@ -53,7 +53,7 @@ def _row(size, plan):
     world, rule, cells = worlds.moving(size), Rule(), size[0] * size[1]
     checked = same_as_twin(world, rule, plan.checked)
     found = take_turns(
-        [ours_one_by_one("ours", world, rule, CALLS), ours("batch", world, rule, CALLS), xor_pass(cells, CALLS)],
+        [ours("ours", world, rule, 1, CALLS), ours("batch", world, rule, CALLS), xor_pass(cells, CALLS)],
         plan.rounds,
         plan.sample_ns,
     )

@@ -1,6 +1,6 @@
-"""The chain: what the rule does to every state of a small lattice, worked out block by block, with no chance in it.
+"""The Markov chain of the rule on a small lattice: every state within reach and the probability of every move.
 
-Plain Python and numpy; it shares nothing with the kernels it is there to check. A state is an int whose bit y·W + x is
+Plain Python and numpy. It shares nothing with the kernels that it checks. A state is an int whose bit y·W + x is
 set where cell (x, y) holds sand; walls never change and are left out of it. The blocks of one partition are independent
 given the state, so an iteration's successors are the product of what its blocks can do.
 """

@@ -37,7 +37,7 @@ def run(study):
     yield _lattices(reach)
     for name in PATHS:
         yield from _path_rows(name, outcomes)
-    p_values = [each.p_value for each in outcomes if each.degrees]
+    p_values = _p_values(outcomes)
     quantity = f"evenness of all {len(p_values)} p-values of chi-square (Kolmogorov-Smirnov)"
     yield report.likely(quantity, kstest(p_values, "uniform").pvalue, CHAIN)
     for name in PROBABILITIES:
@@ -45,6 +45,16 @@ def run(study):
     yield _least_likely(outcomes)
     yield Picture("exact-p-values", _drawing(outcomes), "p-values of all ensembles, in order; right is on the line.")
     yield from randomness.run(study)
+
+
+def _uncertain(outcomes):
+    """Return the outcomes that chance had a part in."""
+    return [each for each in outcomes if each.agreement.degrees]
+
+
+def _p_values(outcomes):
+    """Return the p-values of chi-square."""
+    return [each.agreement.p_value for each in _uncertain(outcomes)]
 
 
 def _lattices(reach):
@@ -62,7 +72,7 @@ def _path_rows(name, outcomes):
     """Yield the rows on one path through the kernels."""
     words, outcomes = PATHS[name].words, [each for each in outcomes if each.trial.path == name]
     runs, outside = (sum(getattr(each.agreement, field) for each in outcomes) for field in ("runs", "outside"))
-    p_values = [each.p_value for each in outcomes if each.degrees]
+    p_values = _p_values(outcomes)
     cells = [p for each in outcomes for p in each.agreement.cells]
     quantity = f"{words}: runs out of the chain's reach, of {runs:,} in {len(outcomes)} ensembles"
     yield report.same(quantity, outside, 0, CHAIN)
@@ -89,10 +99,9 @@ def _rule_rows(name, outcomes):
 
 def _least_likely(outcomes):
     rows = []
-    for each in sorted((each for each in outcomes if each.degrees), key=lambda each: each.p_value)[:WORST]:
-        trial, found = each.trial, each.agreement
+    for trial, iterations, found in sorted(_uncertain(outcomes), key=lambda each: each.agreement.p_value)[:WORST]:
         names = trial.path, trial.lattice, trial.schedule, trial.probabilities
-        rows.append((*names, each.iterations, found.chi_square, found.degrees, found.p_value))
+        rows.append((*names, iterations, found.chi_square, found.degrees, found.p_value))
     heads = ("path", "lattice", "schedule", "rule", "iterations", "chi-square", "degrees of freedom", "p-value")
     return Table.of("The least likely ensembles.", heads, rows)
 
@@ -100,7 +109,7 @@ def _least_likely(outcomes):
 def _drawing(outcomes):
     drawing, axes = figure(width=4.6, height=4.2)
     for name, path in PATHS.items():
-        p_values = sorted(each.p_value for each in outcomes if each.trial.path == name and each.degrees)
+        p_values = sorted(_p_values(each for each in outcomes if each.trial.path == name))
         expected = [(i + 0.5) / len(p_values) for i in range(len(p_values))]
         axes.plot(expected, p_values, ".", label=path.words, markersize=4)
     axes.plot([0, 1], [0, 1], color="#8a7f70", linewidth=1)

@@ -1,4 +1,4 @@
-"""Copies: a small lattice many times over in one large world, for many histories at once.
+"""Large worlds tiled with copies of a small lattice, to run many histories at once.
 
 Copies stand at even places, so that their blocks are those of the lattice itself, with walls between them. In a single
 stack a copy's left edge is the world's own, and cells there belong to no block when x is odd, as in a lattice by

@@ -1,4 +1,4 @@
-"""Draws: what the kernels' random bits decide, laid bare in fields of blocks that can only topple."""
+"""Fields of blocks that can do nothing but topple, which show the random bits that the kernels draw."""
 
 from math import expm1, log1p
 

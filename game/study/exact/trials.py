@@ -85,16 +85,6 @@ class Outcome(NamedTuple):
     iterations: int  # after which they were compared
     agreement: Agreement
 
-    @property
-    def degrees(self):
-        """Degrees of freedom of chi-square, 0 if the outcome was certain."""
-        return self.agreement.degrees
-
-    @property
-    def p_value(self):
-        """Of chi-square."""
-        return self.agreement.p_value
-
 
 def trials(everything):
     """Return the list of Trials: every combination, or a few in which each name occurs."""

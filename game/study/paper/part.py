@@ -23,7 +23,7 @@ BATCHES = 10  # of runs, whose scatter gives the standard errors
 CLAIM = "the paper: smaller p gives taller, thinner piles"
 
 
-READING = (
+CONCLUSION = (
     "What does not hold as the paper says it. Piles grow taller at every step down in p, but not thinner at once: from "
     "p = 1 to 0.75 the contour gets a little wider. There is no change of kind at p = 0.5: at p = 1, too, more than "
     "half of the time in which a column settles goes with 1/p, and all piles end alike (part 6), so p is a viscosity "
@@ -44,7 +44,7 @@ def run(study):
     yield from _maps(study, scene)
     yield from settling.rows(study)
     yield from sticking.rows()
-    yield READING
+    yield CONCLUSION
 
 
 def _deterministic(scene):

@@ -135,8 +135,8 @@ def same(quantity, measured, expected, source):
 
 def within(quantity, measured, error, low, high, source):
     """Agree if measured lies in [low, high] (either may be infinite), give or take SIGMAS standard errors, if any."""
-    give = SIGMAS * (error or 0.0)
-    return _row(quantity, measured, error, _range(low, high), source, low - give <= measured <= high + give)
+    margin = SIGMAS * (error or 0.0)
+    return _row(quantity, measured, error, _range(low, high), source, low - margin <= measured <= high + margin)
 
 
 def claimed(quantity, measured, error, low, high, source):

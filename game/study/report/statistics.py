@@ -1,4 +1,4 @@
-"""Moments: the shape of a pile in a density map, and means of batches with their standard errors."""
+"""Means of batches with their standard errors, and the shape of a pile in a density map."""
 
 from dataclasses import dataclass
 

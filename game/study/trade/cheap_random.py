@@ -1,4 +1,4 @@
-"""Cheap randomness: the rule once more, plainly, with the draws of its topples taken from better or worse sources.
+"""The rule in a plain kernel whose topples draw from better or worse sources of random bits.
 
 The toy draws afresh for each candidate. Here a candidate may have to share its draw with others, as in games that save
 on random numbers. A cell is a byte and a run is a lattice; nothing is skipped, so times compare the sources alone.

@@ -45,7 +45,7 @@ MANY_RUNS = 2**24 + 1000  # more than float32 can count
 HEADS = "setting", "value", "rms error", "largest error", "grains misplaced", "floor of the rms", "cost"
 
 
-READING = (
+CONCLUSION = (
     "The defaults, and why. 32 bits of p: a draw stops as soon as its candidates are decided, so that fewer bits save "
     "nothing, and fewer than 8 show in a forecast of 10,000 runs. A fresh draw for each candidate: 64 blocks share the "
     "work of three or four random words already, and even block by block sharing saves a percent or two, because "
@@ -80,7 +80,7 @@ def run(study):
     yield from _pixel_rows(found)
     yield from _batches()
     yield _exact_count()
-    yield READING
+    yield CONCLUSION
 
 
 def _cells(each):

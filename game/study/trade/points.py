@@ -1,4 +1,4 @@
-"""Points: settings with what they cost and how far off they make the density map."""
+"""Points of the trade: what a setting costs, and how large an error it makes in the density map."""
 
 from dataclasses import dataclass
 

@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+from game.study.summary import DEFAULTS, HEADLINES, LEGEND
+
 ROOT = Path(__file__).parents[3]
 FULL = {"How fast": ROOT / "game/study/bench/README.md", "How right": ROOT / "game/study/README.md"}
 
@@ -39,6 +41,12 @@ def test_every_row_on_the_first_page_is_a_row_of_the_full_table(title, count):
 def test_the_full_tables_say_when_and_on_what_they_were_measured(title):
     head = FULL[title].read_text("utf-8").splitlines()[2]
     assert re.match(r"Measured on \d{4}-\d\d-\d\d\b.*; Python 3", head)
+
+
+def test_the_study_keeps_its_summary_as_it_is_written():
+    text = FULL["How right"].read_text("utf-8")
+    rows = {dict(row).get("quantity") for row in rows_of(text)}
+    assert rows >= HEADLINES and LEGEND in text and DEFAULTS in text
 
 
 @pytest.mark.parametrize("title", FULL)
