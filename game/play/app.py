@@ -97,7 +97,7 @@ class Toy:
     def _gather_instruments(self):
         self.hiss = Hiss(self.sessions, self.settings, self.audio, self.background, self.notices)
         self.watchers += [self.hiss, Hints(self)]
-        self.forecasting = Forecasting(self)
+        self.forecasting = Forecasting(self.sessions, self.display, self.hearing)
         self.plots = Plots(self)
         self.overlays.insert(0, self.forecasting)
         self.watchers += [self.forecasting, self.plots]

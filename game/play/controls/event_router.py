@@ -62,6 +62,11 @@ class Hearing:
         """Return whether a key is held since an earlier frame, or for a command."""
         return key in self._down
 
+    @property
+    def place(self):
+        """Where the pointer is, in pixels, while it is over the sand or paints, or None."""
+        return self.pointer
+
     def follow(self, mouse_pos):
         """Note where the pointer is in this frame."""
         over_sand = mouse_pos is not None and self._toy.display.layout.sand.collidepoint(mouse_pos)

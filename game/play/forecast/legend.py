@@ -1,13 +1,12 @@
-"""The legend: what the colours of a forecast mean, for when it is, and how sure."""
+"""The legend: what the colours of a forecast mean, which iteration it is for, and how accurate it is."""
 
 import pygame
 
-from game.core.draw.cells import AIR
-from game.core.draw.heatmap import ALWAYS
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.card import draw_box
-from game.world.looks.heatmap_colours import over
+from game.world.background.forecast_thread import standard_error
+from game.world.looks.heatmap_colours import scale_over_air
 
 WIDTH = 226  # pixels at scale 1, with everything in it
 PAD = 10
@@ -18,45 +17,40 @@ UNKNOWN = "Forecast", "Computing the first runs …"
 
 
 class Legend:
-    """The card of a Forecasting, in the upper left corner of the stage, as far as there is room."""
+    """A card in the upper left corner of the sand, where there is room for it."""
 
-    def __init__(self, toy, forecasting):
-        self._toy, self._forecasting = toy, forecasting
-        self._lines = UNKNOWN
+    def __init__(self, sessions, display, pointer):
+        """`pointer.place` is where the pointer is over the sand, in pixels, or None."""
+        self._sessions, self._display, self._pointer = sessions, display, pointer
+        self.lines = UNKNOWN  # the title, and the lines under the bar
         self._written_s = None
-        self._about = None  # the answer that the lines tell of, and whether it is stale
+        self._about = None, False  # the Forecast that the lines tell of, and whether it is stale
 
-    def changed(self, now_s):
-        """Write the lines anew if it is time; return whether they say something else."""
-        about = self._forecasting.answer, self._forecasting.stale
-        if about == self._about and self._written_s is not None and now_s - self._written_s < REFRESH_S:
+    def update(self, answer, stale, now_s):
+        """Write the lines anew for a Forecast or None, if it is time; return whether they have changed."""
+        if (answer, stale) == self._about and self._written_s is not None and now_s - self._written_s < REFRESH_S:
             return False
-        before, self._lines = self._lines, self._write()
-        self._about, self._written_s = about, now_s
-        return self._lines != before
-
-    @property
-    def lines(self):
-        """What the card says: the title, and line by line what stands under the bar."""
-        return self._lines
+        before, self.lines = self.lines, self._write(answer)
+        self._about, self._written_s = (answer, stale), now_s
+        return self.lines != before
 
     def draw(self, surface, theme, area):
         """Draw the card, where there is room for it; return the rects that it covers."""
         px, line = theme.px, theme.line_height(look.SMALL)
-        stage, away, wide = self._toy.display.stage.area, px(AWAY), px(WIDTH)
-        rect = pygame.Rect(min(stage.x + away, area.right - away - wide), stage.y + away, wide, 0)
-        title, *lines = self._lines if 2 * rect.width <= area.width else self._lines[:2]
+        sand, away, wide = self._display.stage.area, px(AWAY), px(WIDTH)
+        rect = pygame.Rect(min(sand.x + away, area.right - away - wide), sand.y + away, wide, 0)
+        title, *lines = self.lines if 2 * rect.width <= area.width else self.lines[:2]
         rect.height = 2 * px(PAD) + px(24) + px(BAR) + line + px(4) + line * len(lines)
         if rect.x < area.x + away or 2 * rect.height > area.height:
             return []
         covered = draw_box(surface, theme, rect.inflate(-2 * px(5), -2 * px(5)))
-        stale, row = self._forecasting.stale, rect.inflate(-2 * px(PAD), -2 * px(PAD))
+        (_, stale), row = self._about, rect.inflate(-2 * px(PAD), -2 * px(PAD))
         row.height = px(20)
         draw_list.words(surface, theme, row, title, look.HEADING, look.HANDLE, 0)
         if stale:
             draw_list.words(surface, theme, row, "stale", look.BODY, look.BRIGHT_ACCENT, 1)
         row.y, row.height = row.y + px(24), px(BAR)
-        _draw_bar(surface, theme, row, stale)
+        draw_scale(surface, theme, row, stale)
         row.y, row.height = row.bottom, line
         for share, align in (("never", 0), ("50 %", 0.5), ("always", 1)):
             draw_list.words(surface, theme, row, share, look.SMALL, look.FAINT, align)
@@ -66,35 +60,39 @@ class Legend:
             row.y += line
         return covered
 
-    def _title(self):
-        answer, session = self._forecasting.answer, self._toy.sessions.now
-        goal = session.now - session.world.iteration + answer.request.start + answer.request.ahead
-        return f"Sand at iteration {goal:,}"
-
-    def _write(self):
-        answer, shape = self._forecasting.answer, self._toy.sessions.now.world.shape
+    def _write(self, answer):
         if answer is None:
             return UNKNOWN
-        ago = self._toy.sessions.now.world.iteration - answer.request.start
-        when = f"{_iterations(answer.request.ahead)} ahead", f"Computed {f'{_iterations(ago)} ago' if ago else 'now'}"
-        lines = [self._title(), _said_of_runs(answer), *when, self._here()]
-        part, exact = answer.request.crop.box, answer.request.about[0].exact
-        if (part.height, part.width) != shape:
-            cells = f"{part.width:,}×{part.height:,} cells"
+        session, request = self._sessions.now, answer.request
+        ago = session.world.iteration - request.start
+        lines = [
+            f"Sand at iteration {session.now - ago + request.ahead:,}",
+            _accuracy(answer),
+            f"{_iterations(request.ahead)} ahead",
+            f"Computed {_iterations(ago)} ago" if ago else "Computed now",
+            self._under_pointer(answer),
+        ]
+        box, exact = request.crop.box, request.about[0].exact
+        if (box.height, box.width) != session.world.shape:
+            cells = f"{box.width:,}×{box.height:,} cells"
             lines += [f"Of the {cells} in sight"] if exact else [f"Only the middle {cells},", "as if walled in"]
         return tuple(line for line in lines if line)
 
-    def _here(self):
-        """Return what the forecast says of the cell under the pointer."""
-        pointer = self._toy.hearing.pointer
-        if pointer is None:
+    def _under_pointer(self, answer):
+        """Return what the forecast says of the cell under the pointer, or ""."""
+        if self._pointer.place is None:
             return ""
-        column, row = self._toy.display.stage.view.place(*pointer)
-        found = self._forecasting.share_at(int(row), int(column))
-        return "" if found is None else f"Here {100 * found[0]:.1f} ± {100 * found[1]:.1f} %"
+        column, row = self._display.stage.view.place(*self._pointer.place)
+        box = answer.request.crop.box
+        x, y = int(column) - box.left, int(row) - box.top
+        if not (0 <= y < box.height and 0 <= x < box.width):
+            return ""
+        share = int(answer.counts[y, x]) / answer.runs
+        error = 0.0 if answer.certain else standard_error(share, answer.runs)
+        return f"Here {100 * share:.1f} ± {100 * error:.1f} %"
 
 
-def _said_of_runs(answer):
+def _accuracy(answer):
     if answer.certain:
         return "Nothing is left to chance"
     return f"{answer.runs:,} runs: ± {100 * answer.error:.1f} % at most"
@@ -104,9 +102,8 @@ def _iterations(number):
     return f"{number:,} iteration{'' if number == 1 else 's'}"
 
 
-def _draw_bar(surface, theme, rect, stale):
-    """Draw the scale as it looks over air, as it does in the picture."""
-    colours = over(theme.colours.air[AIR].dark, stale)
+def draw_scale(surface, theme, rect, stale):
+    """Draw the colours from never to always as they look over air, from left to right."""
+    colours = scale_over_air(theme.colours, stale).tolist()
     for x in range(rect.width):
-        colour = colours[x * ALWAYS // max(1, rect.width - 1)].tolist()
-        surface.fill(colour, (rect.x + x, rect.y, 1, rect.height))
+        surface.fill(colours[x * (len(colours) - 1) // max(1, rect.width - 1)], (rect.x + x, rect.y, 1, rect.height))

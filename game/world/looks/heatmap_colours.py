@@ -8,6 +8,7 @@ from functools import cache
 
 import numpy as np
 
+from game.core.draw.cells import AIR
 from game.core.draw.heatmap import ALWAYS, LEVELS, NEVER, SOLID
 from game.world.looks.colour_space import from_oklab
 from game.world.looks.themes import rgb
@@ -30,7 +31,7 @@ def scale(stale=False):
 
 
 def cover(map_rgb, stale=False):
-    """Return (kept, laid), both (LEVELS,) uint32, as `core.heat.lay_heat` takes them; map_rgb: see `palette`."""
+    """Return (kept, laid), both (LEVELS,) uint32, as `heatmap.covers_of` takes them; map_rgb: see `palette`."""
     share = np.minimum(np.arange(LEVELS) / ALWAYS, 1.0)
     rarely, surely = STALE_KEPT if stale else KEPT
     kept = np.rint(256 * (surely + (rarely - surely) * (1.0 - share) ** 6)).astype(np.uint32)
@@ -40,8 +41,8 @@ def cover(map_rgb, stale=False):
     return kept, np.array([map_rgb(*colour) for colour in laid.tolist()], np.uint32)
 
 
-def over(colour, stale=False):
-    """Return the (LEVELS, 3) uint8 colours that the levels make of a pixel of a colour (red, green, blue)."""
-    kept, laid = cover(rgb, stale)
-    parts = laid[:, None] >> np.array([16, 8, 0], np.uint32) & np.uint32(255)
-    return ((np.array(colour, np.uint32) * kept[:, None] >> np.uint32(8)) + parts).astype(np.uint8)
+def scale_over_air(colours, stale=False):
+    """Return the (ALWAYS + 1, 3) uint8 colours of the levels from NEVER to ALWAYS, as they look over a theme's air."""
+    kept, laid = (each[: ALWAYS + 1, None] for each in cover(rgb, stale))
+    parts = laid >> np.array([16, 8, 0], np.uint32) & np.uint32(255)
+    return ((np.array(colours.air[AIR].dark, np.uint32) * kept >> np.uint32(8)) + parts).astype(np.uint8)

@@ -10,7 +10,7 @@ from game import Rule
 from game.core.draw.heatmap import ALWAYS, NEVER
 from game.play.forecast import legend
 from game.play.forecast.forecasting import STALE_S, Forecasting
-from game.world.background.forecast_thread import ForecastThread
+from game.world.background.forecast_thread import ForecastThread, forecast_of
 from game.world.looks.heatmap_colours import cover
 from game.world.looks.painter import rgb
 from game.world.looks.themes import THEMES
@@ -47,8 +47,7 @@ def see_forecast(player, runs=10_000):
         player.key(pygame.K_h, "h")
     for _ in range(4000):
         answer = forecasting.answer
-        asked = answer and (answer.request.about[0], answer.request.start, answer.runs)
-        if asked == (forecasting._matter(), player.world.iteration, runs):
+        if answer and answer.runs == runs and is_current(player, answer):
             player.frame(elapsed_ns=0)
             return answer
         threading.Event().wait(0.005)
@@ -56,8 +55,25 @@ def see_forecast(player, runs=10_000):
     raise AssertionError("no forecast")
 
 
+def forecast_threads():
+    """Return the threads that work on forecasts."""
+    return [each for each in threading.enumerate() if each.name == "forecaster"]
+
+
+def is_current(player, answer):
+    """Return whether a Forecast is of the present moment, as far ahead as is wanted."""
+    about, session = answer.request.about[0], player.session
+    present = session.timeline.history.line, session.scene, session.rule, player.toy.forecasting.ahead
+    return (
+        about.line,
+        about.scene,
+        about.rule,
+        about.ahead,
+    ) == present and answer.request.start == session.world.iteration
+
+
 class Stuck(ForecastThread):
-    """A forecaster whose runs take forever, unless they are let go."""
+    """A thread whose runs take forever, unless they are let go."""
 
     def __init__(self):
         self.free = threading.Event()
@@ -72,15 +88,48 @@ class Stuck(ForecastThread):
 
 @pytest.fixture
 def stuck(player):
-    """Return the forecaster of a blank scene with the forecast on, which says nothing yet."""
-    toy, forecaster = player.toy, Stuck()
-    forecasting = Forecasting(toy, forecaster)
+    """Return the thread of a blank scene with the forecast on, which says nothing yet."""
+    yield forecast_by(player, Stuck())
+    player.toy.forecasting.close()
+
+
+class Scripted:
+    """Stands in for a ForecastThread: notes what is requested, and answers when it is told to."""
+
+    def __init__(self):
+        self.requests, self.hurries, self.answer = [], [], None
+
+    def ask(self, request, hurry):
+        self.requests.append(request)
+        self.hurries.append(hurry)
+
+    def tell(self, request, runs):
+        """Answer that sand is where it was in half of the runs."""
+        sand, walls = request.crop.cells
+        self.answer = forecast_of(request, walls, sand * np.int64(runs // 2), runs)
+
+    def close(self):
+        self.answer = None
+
+
+@pytest.fixture
+def scripted(player):
+    """Return the Scripted forecasts of a blank scene in which a handful of sand falls."""
+    player.hold_time()
+    player.drag(player.pixel(50, 10), player.pixel(70, 10))
+    player.session.paused = False
+    return forecast_by(player, Scripted())
+
+
+def forecast_by(player, thread):
+    """Turn the forecast on, worked out by `thread`, and return that."""
+    toy = player.toy
+    forecasting = Forecasting(toy.sessions, toy.display, toy.hearing, thread)
     toy.overlays[toy.overlays.index(toy.forecasting)] = forecasting
     toy.watchers[toy.watchers.index(toy.forecasting)] = forecasting
     toy.forecasting = forecasting
     player.key(pygame.K_h, "h")
-    yield forecaster
-    forecasting.close()
+    return thread
 
 
 def test_h_lays_over_the_sand_what_so_many_runs_say(paper):
@@ -104,20 +153,20 @@ def test_h_lays_over_the_sand_what_so_many_runs_say(paper):
 def test_h_again_takes_the_forecast_away_and_ends_its_thread(paper):
     bare = pixels_of(paper)
     see_forecast(paper)
-    thread = paper.toy.forecasting.forecaster._thread
+    assert forecast_threads()
     assert (pixels_of(paper) != bare).any()
     paper.key(pygame.K_h, "h")
     paper.frame(elapsed_ns=0)
     area = paper.toy.display.layout.sand
     assert (pixels_of(paper)[: area.bottom, : area.right] == bare[: area.bottom, : area.right]).all()
-    assert not thread.is_alive()
+    assert not forecast_threads()
 
 
 def test_closing_the_toy_ends_the_thread(paper):
     see_forecast(paper)
-    thread = paper.toy.forecasting.forecaster._thread
+    assert forecast_threads()
     paper.toy.close()
-    assert not thread.is_alive()
+    assert not forecast_threads()
 
 
 def test_a_frame_never_waits_for_the_runs(player, stuck):
@@ -126,7 +175,38 @@ def test_a_frame_never_waits_for_the_runs(player, stuck):
     player.wait(30)  # would not come back if it waited
     assert stuck.working and stuck.answer is None
     assert player.world.iteration > before + 30 and player.world.grains > 0
-    assert player.toy.forecasting._legend.lines[1] == "Computing the first runs …"
+    assert player.toy.forecasting.legend.lines[1] == "Computing the first runs …"
+
+
+def test_a_forecast_becomes_finer_in_the_window(player, scripted):
+    player.hold_time()
+    player.wait(1)
+    for runs in (64, 512, 10_000):
+        scripted.tell(scripted.requests[-1], runs)
+        player.wait(1)
+        assert player.toy.forecasting.legend.lines[1].startswith(f"{runs:,} runs")
+
+
+def test_only_a_new_subject_hurries_so_that_the_forecast_of_flowing_sand_can_become_finer(player, scripted):
+    player.wait(10)
+    assert len(scripted.requests) > 10 and scripted.hurries == [True] + [False] * (len(scripted.requests) - 1)
+    player.session.do(SetRule(Rule.with_p(0.3)))
+    player.wait(3)
+    assert scripted.hurries[-4:] == [True, False, False, False]
+
+
+def test_the_forecast_of_flowing_sand_does_not_flicker(player, scripted):
+    def seen():
+        player.frame()
+        forecasting = player.toy.forecasting
+        return bool(player.toy.display.stage.veil), forecasting.stale, forecasting.legend.lines[0] != "Forecast"
+
+    while len(scripted.requests) < 5:
+        assert seen() == (False, False, False)
+    for frame in range(60):
+        if frame % 5 == 0:
+            scripted.tell(scripted.requests[-5], 512)
+        assert seen() == (True, False, True)
 
 
 def test_nothing_is_drawn_while_nothing_changes(paper):
@@ -168,7 +248,7 @@ def test_the_legend_tells_runs_error_moment_and_the_cell_under_the_pointer(paper
     row, column = np.argwhere((answer.counts > 2000) & (answer.counts < 8000))[0]
     paper.pointer = paper.pixel(column, row)
     paper.wait(20)
-    title, runs, ahead, when, here = paper.toy.forecasting._legend.lines
+    title, runs, ahead, when, here = paper.toy.forecasting.legend.lines
     share = answer.counts[row, column] / 10_000
     assert title == f"Sand at iteration {paper.session.now + 200:,}"
     assert ahead == "200 iterations ahead" and when == "Computed now"
@@ -180,7 +260,7 @@ def test_the_legend_tells_runs_error_moment_and_the_cell_under_the_pointer(paper
 def test_never_and_always_have_the_same_colours_in_the_legend_and_in_the_picture(paper, theme):
     paper.toy.settings.override("theme", theme)
     answer, bar = see_forecast(paper), pygame.Surface((256, 1))
-    legend._draw_bar(bar, paper.toy.display.theme, bar.get_rect(), False)
+    legend.draw_scale(bar, paper.toy.display.theme, bar.get_rect(), False)
     paper.toy.overlays.remove(paper.toy.forecasting)  # the legend
     paper.toy.display.refresh()
     paper.frame(elapsed_ns=0)

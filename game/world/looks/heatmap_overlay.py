@@ -1,4 +1,4 @@
-"""The veil: a forecast's heat, laid over the sand where the stage has just drawn it."""
+"""The heatmap overlay: lays the levels of a forecast over pixels of the sand."""
 
 from functools import lru_cache
 
@@ -8,13 +8,13 @@ from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
 from game.world.looks.heatmap_colours import cover
 
 
-class Veil:
-    """One forecast as it lies over the stage; another one is another veil."""
+class HeatmapOverlay:
+    """The levels of one forecast, (height, width) uint8, over the cells of a CropBox."""
 
-    def __init__(self, part, levels, stale):
+    def __init__(self, box, levels, stale):
         self.stale = stale
-        self._part, self._all = part, levels
-        self._view = None  # what the maps below are for
+        self._box, self._all = box, levels
+        self._view = None  # the view that everything below is computed for
 
     def draw(self, pixels, view, spans, map_rgb):
         """Lay the heat over the spans (top, bottom) of rows of `pixels`, an (h, w) uint32 array, in place, once."""
@@ -27,16 +27,16 @@ class Veil:
 
     def _look_through(self, view):
         """Find out which level each pixel shows; where pixels hold many cells, the mean of their levels."""
-        self._view, part = view, self._part
+        self._view, box = view, self._box
         if view.dense:
-            first, columns = _edges_inside(view.column_edges, part.left, part.width)
-            above, rows = _edges_inside(view.row_edges, part.top, part.height)
+            first, columns = _edges_inside(view.column_edges, box.left, box.width)
+            above, rows = _edges_inside(view.row_edges, box.top, box.height)
             self._levels = np.empty((max(len(rows) - 1, 0), max(len(columns) - 1, 0)), np.uint8)
             mean_levels(self._all, columns, rows, self._levels)
             self._rows, self._columns = (np.arange(side, dtype=np.int32) for side in self._levels.shape)
         else:
-            first, self._columns = _inside(view.columns, part.left, part.width)
-            above, self._rows = _inside(view.rows, part.top, part.height)
+            first, self._columns = _inside(view.columns, box.left, box.width)
+            above, self._rows = _inside(view.rows, box.top, box.height)
             self._levels = self._all
         self._left, self._top = view.seen[0] + first, view.seen[1] + above
 
