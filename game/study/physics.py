@@ -153,7 +153,6 @@ class Hopper:
         cone = (width - neck) // 2
         self.row = height + cone + 1  # first row under the neck
         self.rule = Rule.with_p(p, schedule)
-        self.neck = neck
         axis = np.abs(np.arange(width) + 0.5 - width / 2)
         inner = np.full(self.row + BELOW, width / 2)
         inner[height : self.row] = neck / 2 + np.arange(cone, -1, -1)

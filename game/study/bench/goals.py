@@ -46,7 +46,8 @@ class Goal:
     @property
     def verdict(self):
         """The limit and whether it was met: '≥ 0.7×: met'."""
-        return f"{self.wanted}: {'met' if self.met else 'not met'}{self.spoiled and f' ({self.spoiled})'}"
+        reason = f" ({self.spoiled})" if self.spoiled else ""
+        return f"{self.wanted}: {'met' if self.met else 'not met'}{reason}"
 
     def __str__(self):
         """What was measured and what was wanted: 'settled …: 1.7 %, wanted ≤ 2 %: met'."""

@@ -38,20 +38,9 @@ COLUMNS = (
 def scene_table(plan):
     """Return the time of an iteration for each kind of world under each kind of rule."""
     size = plan.scene_size
-    found, checked = {}, {}
-    for name, make in WORLDS.items():
-        world = make(size)
-        for kind, rule in RULES.items():
-            checked[name, kind] = same_as_twin(world, rule, plan.checked)
-        timed = [ours(kind, world, rule, plan.batch) for kind, rule in RULES.items()]
-        coloured = worlds.in_colours(world)
-        for kind, rule in RULES.items() if name != SETTLED else ():
-            dyed = IN_COLOURS.format(kind)
-            checked[name, dyed] = same_with_colours(world, coloured, rule, plan.checked)
-            timed.append(ours(dyed, coloured, rule, plan.batch))
-        for kind, timing in take_turns(timed, plan.rounds, plan.sample_ns).items():
-            found[name, kind] = timing
-    rows = [_row(name, kind, found, checked[name, kind], size) for name, kind in found]
+    measured = {name: _measure(make(size), name != SETTLED, plan) for name, make in WORLDS.items()}
+    found = {(name, kind): timing for name, (timings, _) in measured.items() for kind, timing in timings.items()}
+    rows = [_row(name, kind, found, measured[name][1][kind], size) for name, kind in found]
     notes = [
         f"{table.size(size)} cells, {plan.batch} iterations in one call, schedule {SCHEDULE}. The hourglass is the "
         f"shipped scene drawn at that size, about {worlds.PASSED:.0%} of its sand below; settled: all of it there.",
@@ -62,6 +51,19 @@ def scene_table(plan):
         "bit for a candidate, these take up to 32.",
     ]
     return Section("scene", "3a · What a scene needs: chance and motion", [Table("", COLUMNS, rows), *notes])
+
+
+def _measure(world, in_colours, plan):
+    """Return ({rule: Timing}, {rule: iterations checked}) of a world, with the same sand in colours if `in_colours`."""
+    checked = {kind: same_as_twin(world, rule, plan.checked) for kind, rule in RULES.items()}
+    timed = [ours(kind, world, rule, plan.batch) for kind, rule in RULES.items()]
+    if in_colours:
+        coloured = worlds.in_colours(world)
+        for kind, rule in RULES.items():
+            dyed = IN_COLOURS.format(kind)
+            checked[dyed] = same_with_colours(world, coloured, rule, plan.checked)
+            timed.append(ours(dyed, coloured, rule, plan.batch))
+    return take_turns(timed, plan.rounds, plan.sample_ns), checked
 
 
 def _row(name, kind, found, checked, size):

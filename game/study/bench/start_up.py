@@ -18,46 +18,45 @@ COLUMNS = (
     Column("driver", "driver"),
     goals.COLUMN,
 )
+NOTE = (
+    "Seconds from starting the process; medians of the starts. Playing: the first frame of the scene is shown. Cold: "
+    "no kernel has been compiled before."
+)
 
 
 def start_table(plan):
     """Return when the window, the splash and the first frame are there, in seconds after the command."""
-    rows, further = [], []
-    notes = [
-        "Seconds from starting the process; medians of the starts. Playing: the first frame of the scene is shown."
-    ]
+    rows, remarks = [], []
     with screen() as (environment, shown_on), tempfile.TemporaryDirectory(prefix="sandglass-") as folder:
         try:
             _start(environment)  # compiles what has not been compiled yet
-            warm = _row("warm", [_start(environment) for _ in range(plan.starts)], shown_on)
-            rows.append(
-                warm | {"goal": goals.at_most("warm start to the first frame", warm["playing"], goals.WARM_S, " s")}
-            )
+            starts = [_start(environment) for _ in range(plan.starts)]
+            rows.append(_row("warm", starts, shown_on, goals.WARM_S))
             if plan.cold:
-                cold = _row(
-                    "cold, no compiled kernels", [_start(environment | {"SANDGLASS_CACHE_DIR": folder})], shown_on
-                )
-                rows.append(
-                    cold | {"goal": goals.at_most("cold start to the first frame", cold["playing"], goals.COLD_S, " s")}
-                )
-                further = [goals.at_most("cold start to the splash", cold["splash"], goals.COLD_SPLASH_S, " s")]
+                cold = _start(environment | {"SANDGLASS_CACHE_DIR": folder})
+                rows.append(_row("cold", [cold], shown_on, goals.COLD_S))
+                splash_s = rows[-1]["splash"]
+                remarks.append(goals.at_most("cold start to the splash", splash_s, goals.COLD_SPLASH_S, " s"))
         except NoWindowError as error:
-            notes.append(f"left out: {error}")
+            remarks.append(f"left out: {error}")
     if not plan.cold:
-        notes.append("The cold start is left out of a quick run.")
-    return Section("start", "6 · Start-up", [Table("", COLUMNS, rows), *notes, *further])
+        remarks.append("The cold start is left out of a quick run.")
+    return Section("start", "6 · Start-up", [Table("", COLUMNS, rows), NOTE, *remarks])
 
 
 def _start(environment):
-    """Start the toy once and return its marks."""
+    """Start the toy once and return its report."""
     return timing(["--start-up", "--since", time.time_ns()], environment)
 
 
-def _row(name, starts, shown_on):
+def _row(name, starts, shown_on, limit_s):
+    """Return the row of a kind of start whose first frame is wanted within `limit_s` seconds."""
     driver = starts[0]["driver"]
+    marks = {mark: statistics.median(start["marks_s"][mark] for start in starts) for mark in MARKS}
     return {
         "name": name,
-        **{mark: statistics.median(start["marks_s"][mark] for start in starts) for mark in MARKS},
+        **marks,
         "starts": len(starts),
         "driver": f"{driver} ({shown_on})" if shown_on else driver,
+        "goal": goals.at_most(f"{name} start to the first frame", marks["playing"], limit_s, " s"),
     }
