@@ -7,8 +7,9 @@ from game.world.files.paths import asset
 from game.world.sand.rule import Rule
 from game.world.scenes.scene import load_scene
 from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule
-from game.world.sessions.recording import SUFFIX, save_replay
+from game.world.sessions.recording import SUFFIX
 from game.world.sessions.session import Session
+from tests.saved import save_replay
 
 
 def three_turns():

@@ -124,19 +124,6 @@ def open_picture(path):
     return Photo(path, _fitted(pixels))
 
 
-def load_picture(path, threshold=None):
-    """Return the SeededScene in a file; raise PictureError, with one line to show, where there is none.
-
-    A photo becomes sand where its brightness is at least `threshold` (default THRESHOLD), walls down to half of it,
-    else empty, as what is see-through. A threshold makes any picture a photo.
-    """
-    if threshold is None:
-        found = open_picture(path)
-        return found.picture() if isinstance(found, Photo) else found
-    pixels, _ = _read(Path(path), as_photo=True)
-    return Photo(Path(path), _fitted(pixels)).picture(threshold)
-
-
 def _picture(path, materials, text):
     sand, walls, colours = parted(materials)
     try:
@@ -146,11 +133,10 @@ def _picture(path, materials, text):
     return SeededScene(Scene(path.stem, sand=sand, walls=walls, colours=colours, **settings), seed)
 
 
-def _read(path, as_photo=False):
+def _read(path):
     """Return the (H, W, 4) uint8 pixels of a picture and its text of settings, or None.
 
-    Of one that a scene was saved as, unless it is to be a photo, return the (H, W) materials: it may be as large as a
-    lattice.
+    Of one that a scene was saved as, return the (H, W) materials: it may be as large as a lattice.
     """
     from PIL import Image
 
@@ -159,7 +145,7 @@ def _read(path, as_photo=False):
     try:
         with warnings.catch_warnings(action="ignore"), Image.open(io.BytesIO(data), formats=FORMATS) as picture:
             (width, height), text = picture.size, picture.info.get(CHUNK)
-            saved = text is not None and picture.mode == "P" and "transparency" not in picture.info and not as_photo
+            saved = text is not None and picture.mode == "P" and "transparency" not in picture.info
             if max(width, height) > parameters.SIDE.high or (width * height > MOST_PIXELS and not saved):
                 raise PictureError(f"{path}: found {width}×{height} pixels, wanted at most {PICTURE_SIZE}")
             return (_by_palette if saved else _upright)(picture), text

@@ -98,15 +98,6 @@ class History:
         """Return the present line as entries: what a replay needs, without the ways not taken."""
         return [Entry(act.at, act.action, act.join) for act in reversed(self.after(self.root))]
 
-    def can_undo(self, now):
-        """Return whether `undo` would find something to take back."""
-        return self._find(range(self._cursor - 1, -1, -1), now) is not None
-
-    @property
-    def can_redo(self):
-        """Whether there is another line to go on to."""
-        return self._cursor + 1 < len(self._lines)
-
     def _find(self, cursors, now):
         """Return the first of `cursors` whose line is another than the present one by iteration `now`, or None."""
         here = self.latest(now)

@@ -2,12 +2,12 @@
 
 from dataclasses import dataclass, field
 
-from game.world.files.atomic import FileError, load, save
+from game.world.files.atomic import FileError, load
 from game.world.files.checked_table import TableError
 from game.world.scenes.scene import Scene
 from game.world.sessions.session_format import LARGEST_FILE, VERSION, LineReader, LineWriter, ReplayError
 
-__all__ = ["SUFFIX", "Recording", "ReplayError", "load_replay", "parse", "recording_of", "save_replay"]
+__all__ = ["SUFFIX", "Recording", "ReplayError", "load_replay", "parse", "recording_of", "to_bytes"]
 
 SUFFIX = ".sandglass"
 
@@ -31,11 +31,6 @@ def recording_of(session):
     entries = [entry for entry in history.story() if entry.at <= now]
     scene, seed = session.timeline.start
     return Recording(scene, seed, entries, now, session.world.digest())
-
-
-def save_replay(path, session):
-    """Write the session's present line to a file, in one step; raise FileError where that cannot be done."""
-    save(path, to_bytes(recording_of(session)))
 
 
 def to_bytes(recording):

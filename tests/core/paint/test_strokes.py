@@ -103,6 +103,17 @@ def test_a_fill_reaches_what_is_connected_side_by_side(number, column, row, crow
     assert (kinds_of(world) == kinds).all()
 
 
+@pytest.mark.parametrize("length", [31, 33, 63, 64, 65, 127, 128, 129, 300])
+def test_a_fill_reaches_the_end_of_a_corridor_however_long(length):
+    for start in (0, length // 2, length - 1):
+        world = World.from_cells(*np.zeros((2, 1, length), bool))
+        world.fill(start, 0, Ink(GRAIN))
+        assert world.grains == length
+        world = World.from_cells(*np.zeros((2, length, 1), bool))
+        world.fill(0, start, Ink(GRAIN))
+        assert world.grains == length
+
+
 @steady
 @given(inks, places, places)
 def test_only_the_kinds_named_take_the_ink(ink, start, end):

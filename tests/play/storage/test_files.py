@@ -20,14 +20,13 @@ from game.world.looks.painter import Painter
 from game.world.looks.themes import NIGHT
 from game.world.looks.view import View
 from game.world.sand.world import World
-from game.world.scenes.picture_file import load_picture
 from game.world.scenes.scene import load_scene
 from game.world.sessions import journal, timeline
 from game.world.sessions.history import UNDO, Entry
 from game.world.sessions.journal import Journal
-from game.world.sessions.recording import save_replay
 from game.world.sessions.snapshots import MEGABYTE
 from tests.play.player import Player
+from tests.saved import load_picture, save_replay
 
 CTRL = pygame.KMOD_LCTRL
 SHIFT = pygame.KMOD_LSHIFT

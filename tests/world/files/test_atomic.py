@@ -9,8 +9,8 @@ import pytest
 from game.world.files import atomic
 from game.world.files.atomic import FileError, save
 from game.world.files.paths import new_file
-from game.world.sessions.recording import save_replay
 from game.world.sessions.session import Session
+from tests.saved import save_replay
 from tests.world.random_sessions import SCENES
 
 

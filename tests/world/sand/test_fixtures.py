@@ -12,12 +12,13 @@ from game.world.sand.advance import NO_TRAFFIC
 from game.world.sand.fixtures import DRAIN, TAP, Fixture
 from game.world.sand.sand_colours import COLOURS
 from game.world.sand.world import RAINBOW_PACE
-from game.world.scenes.picture_file import load_picture, save_picture
+from game.world.scenes.picture_file import save_picture
 from game.world.scenes.scene import SceneError
 from game.world.sessions.action import Clear, Draw, Flip, Paint, SetFixtures, Turn, apply, perform
 from game.world.sessions.session import Session
 from game.world.sessions.snapshots import Snapshot
 from tests.cells import random_world, rows_of, world_of
+from tests.saved import load_picture
 from tests.world.random_sessions import fixtures
 
 steady = settings(derandomize=True, deadline=None, max_examples=60)
@@ -59,6 +60,26 @@ def test_what_fixtures_do_does_not_depend_on_how_iterations_are_split(number, fi
     passed = [advance(split, RULE, part) for part in parts]
     assert split.digest() == whole.digest()
     assert [sum(each) for each in traffic] == [sum(sum(part[k]) for part in passed) for k in range(2)]
+
+
+@pytest.mark.parametrize("rule", [Rule(schedule="balanced"), RULE])
+@pytest.mark.parametrize("kind", [TAP, DRAIN])
+@pytest.mark.parametrize("offset", range(-3, 3))
+def test_sand_at_rest_moves_where_a_fixture_acts_at_the_border_of_a_band(rule, kind, offset):
+    sand, walls = np.zeros((2, 1100, 12), bool)
+    border = 2 * World.from_cells(sand, walls).activity.band_rows
+    walls[border + 4 :] = True
+    if kind == DRAIN:
+        sand[border - 8 : border + 4] = True
+    world = World.from_cells(sand, walls, 3)
+    advance(world, rule, 40)  # all is at rest, and known to be
+    world.fixtures = (Fixture(kind, 5, border + offset, every=50),)
+    advance(world, rule, 10)
+    for _ in range(30):
+        twin = world.copy()  # knows of no rest
+        advance(twin, rule, 1)
+        advance(world, rule, 1)
+        assert world.digest() == twin.digest()
 
 
 @steady

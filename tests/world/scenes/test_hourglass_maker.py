@@ -10,9 +10,10 @@ from game import load_scene
 from game.world.scenes.hourglass_maker import SLOWEST, glass_for, glass_within, good_pace, resized, scene_of
 from game.world.scenes.hourglass_spec import Glass
 from game.world.sessions.action import Paint, Reshape
-from game.world.sessions.recording import load_replay, save_replay
+from game.world.sessions.recording import load_replay
 from game.world.sessions.run_out import find_run_out
 from game.world.sessions.session import Session
+from tests.saved import save_replay
 
 
 @pytest.mark.parametrize("seconds", [1, 10, 30, 60, 180])

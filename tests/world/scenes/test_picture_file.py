@@ -15,10 +15,11 @@ from game.world.sand.sand_colours import COLOURS as NAMES
 from game.world.sand.sand_colours import DYED
 from game.world.scenes import picture_file
 from game.world.scenes.cell_arrays import COLOURS
-from game.world.scenes.picture_file import CHUNK, Photo, PictureError, load_picture, nearest_dyes, save_picture
+from game.world.scenes.picture_file import CHUNK, Photo, PictureError, nearest_dyes, open_picture, save_picture
 from game.world.sessions.action import Flip, Load
-from game.world.sessions.recording import load_replay, save_replay
+from game.world.sessions.recording import load_replay
 from game.world.sessions.session import Session
+from tests.saved import load_picture, save_replay
 from tests.world.random_sessions import SCENES, played, plays
 
 steady = settings(
@@ -166,8 +167,9 @@ def test_a_scene_as_large_as_a_lattice_may_be_is_opened_again(tmp_path, monkeypa
     monkeypatch.setattr(picture_file, "MOST_PIXELS", 100)
     scene, _ = load_picture(saved(tmp_path))
     assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
+    Image.open(tmp_path / "some.png").convert("RGB").save(tmp_path / "photo.png")
     with pytest.raises(PictureError, match="pixels, wanted at most"):
-        load_picture(saved(tmp_path), threshold=0.5)
+        load_picture(tmp_path / "photo.png")
 
 
 def test_a_scene_whose_palette_was_put_in_another_order_is_the_same(tmp_path):
@@ -210,6 +212,14 @@ def test_whatever_a_photo_is_called_sessions_and_pictures_of_it_can_be_read(tmp_
     recording = load_replay(tmp_path / "some.sandglass")
     assert recording.problem is None and len(recording.entries) == 2
     assert load_picture(saved(tmp_path, session)).scene.title == scene.title
+
+
+@pytest.mark.parametrize(("strange", "kind"), [(0.01, "cells"), (0.04, "a photo"), (0.3, "a photo")])
+def test_a_picture_is_cells_only_if_nearly_all_pixels_have_their_colours(tmp_path, strange, kind):
+    pixels = np.full((100, 100, 3), COLOURS[0], np.uint8)
+    pixels[: round(100 * strange)] = 255, 0, 255
+    Image.fromarray(pixels).save(tmp_path / "some.png")
+    assert isinstance(open_picture(tmp_path / "some.png"), Photo) == (kind == "a photo")
 
 
 def test_a_scene_that_was_saved_as_a_jpeg_is_still_walls_and_sand(tmp_path):

@@ -8,11 +8,12 @@ import pytest
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from game.world.scenes.picture_file import CHUNK, PictureError, load_picture, save_picture
+from game.world.scenes.picture_file import CHUNK, PictureError, save_picture
 from game.world.sessions.journal import Journal, JournalError
 from game.world.sessions.recording import ReplayError, load_replay, parse, recording_of, to_bytes
 from game.world.sessions.session import Session
 from game.world.sessions.session_format import LineWriter
+from tests.saved import load_picture
 from tests.world.random_sessions import SCENES
 from tests.world.sessions.test_recording import sample, values_of
 

@@ -18,9 +18,10 @@ from game.world.sand.fixtures import Fixture
 from game.world.scenes.scene_json import start_digest
 from game.world.sessions.action import Clear, Draw, Fill, Flip, Load, Paint, SetFixtures, SetRule, Turn, snap
 from game.world.sessions.history import Entry
-from game.world.sessions.recording import ReplayError, load_replay, parse, recording_of, save_replay, to_bytes
+from game.world.sessions.recording import ReplayError, load_replay, parse, recording_of, to_bytes
 from game.world.sessions.session import Session
 from game.world.sessions.session_format import LineWriter
+from tests.saved import save_replay
 from tests.world.random_sessions import SCENES, actions, played, plays, state
 
 ROOT = Path(__file__).parents[3]

@@ -129,6 +129,21 @@ def test_an_act_in_the_past_starts_a_new_future_and_redo_finds_the_old_one():
     assert session.undo() and state(session) == old
 
 
+def test_undo_while_time_runs_backwards_leaves_the_undone_act_behind(monkeypatch):
+    monkeypatch.setattr(timelines, "CLOSE_NS", 0)
+    session = Session(SCENES[1])
+    session.timeline.run(20)
+    session.do(DOT)
+    session.timeline.run(20)
+    session.timeline.rewinding = True
+    for now in (38, 35, 30):
+        session.seek(now)
+    assert session.undo() and session.now == 30
+    assert session.world.digest() == plain_world(SCENES[1], 0, [], 30)[0].digest()
+    session.seek(25)
+    assert session.world.digest() == plain_world(SCENES[1], 0, [], 25)[0].digest()
+
+
 def test_time_run_from_the_past_repeats_what_was_done():
     session = Session(SCENES[1])
     session.timeline.run(10)
@@ -307,7 +322,7 @@ def test_any_point_of_ten_minutes_is_near(spacing):
     session.do(Flip())
     took_ms = []
     for now in np.random.default_rng(1).integers(0, 96_000, 25).tolist():
-        start = time.perf_counter()
+        start = time.thread_time()
         session.seek(now)
-        took_ms.append(1000 * (time.perf_counter() - start))
+        took_ms.append(1000 * (time.thread_time() - start))
     assert np.median(took_ms) <= 50
