@@ -1,6 +1,6 @@
-"""The companion: a process that compiles kernels on another core, while the toy compiles others or already plays.
+"""Compiles kernels in a process on another core, while the toy compiles others or already plays.
 
-A thread would not do: compiling holds the interpreter's lock, so that frames come late for as long as it lasts.
+A thread would not do: compiling holds the interpreter's lock, so frames would be late while it lasts.
 """
 
 import multiprocessing
@@ -12,7 +12,7 @@ from game.world.background import kernel_warmup
 
 
 class CompileWorker:
-    """Runs `compile_all(tell, *needs)` in a process of its own; it sends something through `tell` after each step."""
+    """Runs `compile_all(tell, *needs)` in a process of its own; it sends a word through `tell` after each step."""
 
     def __init__(self, compile_all, *needs):
         context = multiprocessing.get_context("spawn")
@@ -23,16 +23,16 @@ class CompileWorker:
         tell.close()
 
     def beside(self, steps):
-        """Return `steps`, the companion's, so that each first waits until it is compiled, and then only loads it."""
+        """Return the worker's `steps` so that each waits until the worker has compiled it, and then only loads it."""
         return [(what, lambda act=act: self._wait() and act()) for what, act in steps]
 
     def close(self):
-        """End the process, and let go of who waits for it."""
+        """End the process; whoever waits for it goes on."""
         self._closed = True
         self._process.terminate()
 
     def _wait(self):
-        """Wait until one more step is done, or the companion has ended: then who waited compiles for itself."""
+        """Wait until one more step is done, or the process has ended; in that case the waiting side compiles it."""
         try:
             self._hear.recv()
         except (EOFError, OSError):
@@ -70,15 +70,14 @@ class StepThread:
 def steps_to_play(rule, walls, cell=1, coloured=False, fixtures=()):
     """Return the steps (what, act) to do before the first frame, those after it, and the CompileWorker or None.
 
-    `prepare` says what they are. While the cache is new, a companion compiles what comes after the kernels that move
-    sand.
+    `kernel_warmup` says what they are. While the cache is new, a worker compiles all but the kernels that move sand.
     """
     own, later = kernel_warmup.moving_steps(rule, coloured, fixtures), kernel_warmup.later_steps(rule)
-    drawing, companion = kernel_warmup.drawing_steps(walls, cell, coloured), None
+    drawing, worker = kernel_warmup.drawing_steps(walls, cell, coloured), None
     if jit.NEW and not getattr(sys, "frozen", False):
-        companion = CompileWorker(_compile, rule, walls, cell, coloured)
-        drawing, later = companion.beside(drawing), companion.beside(later)
-    return own + drawing, later, companion
+        worker = CompileWorker(_compile, rule, walls, cell, coloured)
+        drawing, later = worker.beside(drawing), worker.beside(later)
+    return own + drawing, later, worker
 
 
 def _compile(tell, rule, walls, cell, coloured):

@@ -12,7 +12,7 @@ from game.world.sand.crop import Crop
 from game.world.sand.ensemble import Cancelled, certain, growing_counts
 from game.world.sand.rule import Rule
 
-PATIENCE_S = 0.15  # a forecast of a moment that has passed is made no finer after this; five refreshes fit a second
+PATIENCE_S = 0.15  # a forecast of a past moment is not refined for longer than this: so five fit into a second
 LONG_S = 1.0  # a request that is no longer asked is dropped after this, even if nothing has been said to it
 
 
@@ -55,7 +55,7 @@ def standard_error(share, runs):
 
 
 class ForecastThread:
-    """A thread that answers questions. Neither asking nor looking for the answer ever waits for it."""
+    """A thread that computes forecasts. Neither asking nor looking for the answer ever blocks."""
 
     def __init__(self, count=growing_counts):
         self._count = count

@@ -1,4 +1,4 @@
-"""A table of a scene file, read key by key; whatever is wrong with it is told in one line."""
+"""A table of a file, read key by key. Each error is one line: what was found, what is wanted, where."""
 
 import difflib
 import math

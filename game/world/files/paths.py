@@ -38,7 +38,7 @@ def config_file():
 def new_file(kind, name, suffix):
     """Return a path for a new file, made of a name and the time; its folder is made. Raises FileError.
 
-    No path is returned twice, be it that its file is still to be written.
+    No path is returned twice, even before its file is written.
     """
     folder = folder_of(kind)
     try:

@@ -10,6 +10,7 @@ and nothing else is to be done: the file, its comments, what is said of a bad li
 """
 
 import time
+from dataclasses import replace
 
 from game.world.files.atomic import FileError, load, lock, save, trouble
 from game.world.files.paths import config_file
@@ -19,14 +20,7 @@ from game.world.sand import parameters
 from game.world.sand.parameters import Knob
 
 ROWS = (
-    Knob(
-        "ui_scale",
-        parameters.UI_SCALE.default,
-        parameters.UI_SCALE.low,
-        parameters.UI_SCALE.high,
-        "",
-        parameters.UI_SCALE.meaning,
-    ),
+    replace(parameters.UI_SCALE, name="ui_scale"),
     Choice("theme", "night", ("day", "night", "high-contrast"), "colours of the window and the sand"),
     Switch("smooth_streams", True, "draw falling sand as the mean of what happens within a frame"),
     Switch("reduced_motion", False, "leave out turns, glows and fades"),
@@ -36,24 +30,8 @@ ROWS = (
     Names("hints_seen", "hints that were shown and are not shown again"),
     Knob("window_width", 0, 0, 16384, "pixels", "width of the window; 0 suits scene and screen", whole=True),
     Knob("window_height", 0, 0, 16384, "pixels", "height of the window; 0 suits scene and screen", whole=True),
-    Knob(
-        "brush",
-        parameters.BRUSH.default,
-        parameters.BRUSH.low,
-        parameters.BRUSH.high,
-        "cells",
-        parameters.BRUSH.meaning,
-        whole=True,
-    ),
-    Knob(
-        "memory",
-        parameters.MEMORY.default,
-        parameters.MEMORY.low,
-        parameters.MEMORY.high,
-        "MB",
-        parameters.MEMORY.meaning,
-        whole=True,
-    ),
+    parameters.BRUSH,
+    parameters.MEMORY,
 )
 LARGEST_FILE = 2**20  # bytes
 MOST_NAMED = 5  # bad lines that are named beside the first
@@ -158,7 +136,7 @@ class Settings:
 
 
 def _wait_for(guard):
-    """Wait until no other window holds the file, but not for ever: each save is whole in any case."""
+    """Wait until no other window holds the file, for a second at most: each save is atomic in any case."""
     for _ in range(LOCK_TRIES):
         if lock(guard.fileno()):
             return

@@ -44,7 +44,7 @@ def from_oklab(colours):
 
 
 def lights(palette):
-    """Return the light of air, then what each kind of cell that core.density_pixels counts adds to it, in three parts.
+    """Return the light of air, then what each kind of cell that core.draw.downscaled counts adds to it, in three parts.
 
     The parts are (1 + KINDS, 3), (DECOR_KINDS, 3) and (DYES, 3) float64 in levels of light, as they are counted always,
     in decorated lattices and where sand has colours. palette: (DYED_LOOKS, shades) 0xRRGGBB.
@@ -64,8 +64,7 @@ def blends(palette, channels, stream):
     """Return what cells look like that held sand in some of the samples, pixel values: (dyes, SAMPLES - 1, 4, shades).
 
     palette: (DYED_LOOKS, shades) 0xRRGGBB. channels: those of the pixels. stream: the look of sand that falls. Before a
-    darker ground light is mixed; before a brighter one sRGB values are, or thin streams would be lost in its glare. See
-    `core.streams`.
+    darker ground light is mixed; before a brighter one sRGB values are, or thin streams could not be seen against it.
     """
     values = _components(palette) / 255
     grounds, sand = values[[AIR, INSIDE, GLEAM, POST]], values[dyed(stream)][:, None, None]

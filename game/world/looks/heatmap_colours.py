@@ -1,4 +1,4 @@
-"""The colours of heat: a scale that anyone can read, from dark violet to pale green, and how it covers the sand.
+"""The colours of a heatmap, from dark violet to pale green, and how they cover the sand.
 
 Lightness rises by equal steps of what the eye tells apart, so the order of the colours is seen without their hue, by
 colour-blind eyes and in print.

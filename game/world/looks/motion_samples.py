@@ -1,4 +1,4 @@
-"""Streams: the last few iterations of a world in play, kept so that falling sand can be drawn as their mean."""
+"""Samples of the last few iterations of a world in play, so that falling sand can be drawn as their mean."""
 
 import time
 
@@ -7,27 +7,27 @@ import numpy as np
 from game.core import planes as bit_planes
 from game.core.draw.motion_blur import PLANES, SAMPLES, take_sample
 
-FROM_SPEED = 120  # iterations per second: with fewer than two in a frame each one can be seen, and is to be
-MOST_CELLS = 2**22  # a larger lattice has no frame time to spare for it, and cells too small for its stripes to show
+FROM_SPEED = 120  # iterations per second: below two in a frame, each one can be seen by itself
+MOST_CELLS = 2**22  # in a larger lattice it takes too much of a frame, and cells are too small for stripes to show
 SPARE = 0.05  # of a frame's budget: what a cycle of iterations may take beyond it
 NO_SAMPLES = np.empty((0, PLANES, 0), np.uint64)
 
 
 class MotionSamples:
-    """Where the sand was in the last iterations of one world. It watches, and changes nothing."""
+    """Where the sand was in the last iterations of one world. It never changes the world."""
 
     def __init__(self):
         self.samples = NO_SAMPLES  # (SAMPLES, PLANES, length) uint64
         self.forget()
 
     def forget(self):
-        """Take the sand from now on as having always been where it is."""
+        """Drop all samples: the next world is taken to have been at rest."""
         self._world, self._iteration, self._stamp = None, -1, 0
         self.moving = np.zeros(0, np.uint8)  # for each band: in how many samples more it may differ from the others
 
     @staticmethod
     def are_worth(shape, speed):
-        """Return whether a lattice of that shape, at so many iterations per second, looks better for it."""
+        """Return whether samples improve how a lattice of that shape looks, at so many iterations per second."""
         return speed >= FROM_SPEED and shape[0] * shape[1] <= MOST_CELLS
 
     def follows(self, world):

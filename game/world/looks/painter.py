@@ -20,7 +20,7 @@ MOST_DECORATED = 2**24  # cells: in a larger lattice, a painted wall would hold 
 
 
 def texture():
-    """Return the shade of each place, (TEXTURE, TEXTURE) uint8: it stays with the place, so sand at rest is calm."""
+    """Return the shade of each place, (TEXTURE, TEXTURE) uint8. It is fixed, so that sand at rest does not flicker."""
     y, x = np.mgrid[0:TEXTURE, 0:TEXTURE].astype(np.uint64)
     z = (y * np.uint64(TEXTURE) + x + np.uint64(1)) * np.uint64(0x9E3779B97F4A7C15)
     z = (z ^ (z >> np.uint64(29))) * np.uint64(0xBF58476D1CE4E5B9)
@@ -28,18 +28,18 @@ def texture():
 
 
 class CellPaints(NamedTuple):
-    """What cells are drawn with, whatever the view."""
+    """Look-up tables that cells are drawn with, whatever the view."""
 
     pairs: np.ndarray  # of a world without colours, and of one with: what `pairs_of` gives
     dyed_pairs: np.ndarray
-    lights: tuple | None  # what `light.lights` gives, where cells that share a pixel mix
-    channels: np.ndarray | None  # what `light.channels` gives, there
-    blends: np.ndarray  # what `light.blends` gives, there
+    lights: tuple | None  # what `colour_space.lights` gives, where cells share pixels
+    channels: np.ndarray | None  # what `colour_space.channels` gives, there
+    blends: np.ndarray  # what `colour_space.blends` gives, there
 
 
 @lru_cache(maxsize=16)
 def paints_of(colours, walls, map_rgb, mixes):
-    """Return the CellPaints of a theme, as `Painter` takes them: they are kept, since a window is laid out often."""
+    """Return the CellPaints of a theme for a `Painter`. They are cached, since a window is laid out often."""
     codes = dyed_palette(colours, walls, map_rgb)
     plain = np.array([dyed(look)[0] for look in range(LOOKS)])
     pairs = pairs_of(codes[plain]), pairs_of(codes)
@@ -61,7 +61,7 @@ class Painter:
         """
         self._paints = paints_of(colours, walls, map_rgb, mixes)
         self._shades = shades_of(texture(), layout(*view.shape).words)
-        self._samples, self._moving = NO_SAMPLES, ()  # as drawn last: see `world.streams`
+        self._samples, self._moving = NO_SAMPLES, ()  # as drawn last: see MotionSamples
         self._seen = 0  # the stamp of the world drawn last
         self._glass = walls == "glass" and view.shape[0] * view.shape[1] <= MOST_DECORATED
         self._decor = self._decorated = None  # what decorates the glass, and its walls
@@ -165,7 +165,7 @@ class Painter:
             ends = np.maximum(rows[1:] - 1, rows[:-1]) if self._mixes else NO_ENDS
             rows = rows[:-1] if self._mixes else rows
             pairs = self._paints.dyed_pairs if world.coloured else self._paints.pairs
-            coloured = True if world.coloured else None  # known as it is compiled, which is then done twice as soon
+            coloured = True if world.coloured else None  # a constant to the compiler, which halves the time to compile
             what = world.planes, self._decor, coloured, *how
             draw_cells(*what, rows, ends, self._shades, pairs, self._samples, self._paints.blends, pixels, top, left)
 

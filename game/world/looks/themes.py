@@ -59,10 +59,10 @@ class Colours(NamedTuple):
     ground: tuple  # around the lattice
     air: dict  # {look: Range} of what is neither sand nor wall
     sand: dict  # {look: Range}
-    stream: int  # the look of sand that falls: it is to be seen before air, even where it is thin
+    stream: int  # the look of falling sand: it must stand out against the air, even where it is thin
     walls: dict  # {one of WALL_LOOKS: Walls}
     panel: dict  # {role: RGB} of the controls and the words
-    dyes: tuple  # the means of sand of the colours but the first, in the order of `dyes.COLOURS`
+    dyes: tuple  # the mean colours of dyed sand, in the order of `sand_colours.COLOURS` without the first
 
     def __hash__(self):
         return hash(self.name)

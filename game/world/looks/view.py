@@ -1,4 +1,4 @@
-"""The view: where a lattice lies among pixels, and which of it is in sight."""
+"""The view: where a lattice lies on the screen, in pixels, and which part of it is in sight."""
 
 from dataclasses import dataclass
 from functools import cached_property

@@ -1,4 +1,4 @@
-"""Activity: which bands of a lattice are quiet, so that they need not be computed, drawn or shown."""
+"""Bands of rows: which are quiet, so that they need not be computed or drawn."""
 
 import numpy as np
 
@@ -7,13 +7,13 @@ from game.core.step import BAND, CYCLE
 
 
 class ActiveBands:
-    """What is known about each band of plane rows. It decides how fast the future is reached, never which it is."""
+    """What is known about each band of plane rows. It affects speed only, never the result."""
 
     def __init__(self, layout):
         band_rows = max(LINE, BAND // layout.stride // LINE * LINE)  # so bands start at a cache line
         self.band_rows = min(band_rows, layout.rows)  # plane rows in a band, two lattice rows each
         bands = -(-layout.rows // self.band_rows)
-        self.quiet = np.zeros(bands, np.int64)  # iterations for which nothing stirred or could have, up to CYCLE
+        self.quiet = np.zeros(bands, np.int64)  # iterations in which nothing moved or could have, up to CYCLE
         self.changed = np.zeros(bands, np.int64)  # the stamp of the latest change
         self.busy = np.full(bands, self.band_rows * layout.stride)  # words in which a grain moved in a latest iteration
         self.stamp = 1  # rises with every batch of iterations and every act
@@ -22,7 +22,7 @@ class ActiveBands:
         self.schedule, self.iteration = None, None  # what `quiet` counts for
 
     def expect(self, schedule, iteration):
-        """Get ready for a batch of `schedule` that starts at `iteration`; what was learned otherwise is forgotten."""
+        """Prepare for a batch of `schedule` that starts at `iteration`; forget what holds for another one."""
         if (schedule, iteration) != (self.schedule, self.iteration):
             self.quiet[:] = 0
             self.schedule, self.iteration = schedule, iteration

@@ -1,4 +1,4 @@
-"""Blocks: what each block of an iteration can do, by plain numpy over a part of the lattice."""
+"""What can happen in each block in the coming iteration, by plain numpy over a part of the lattice."""
 
 from typing import NamedTuple
 

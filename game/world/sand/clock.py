@@ -1,7 +1,7 @@
-"""The clock: uneven frames in, whole iterations out; it neither loses nor invents time."""
+"""The clock: turns the time of uneven frames into whole iterations, without losing or adding any."""
 
 NS_PER_S = 10**9
-STALL_NS = NS_PER_S // 4  # a longer gap (the window was dragged, the laptop slept) counts as this: no jump follows it
+STALL_NS = NS_PER_S // 4  # a longer gap (a dragged window, a sleeping laptop) counts as this: no jump follows
 _PARTS = 1000  # speeds are kept in thousandths of an iteration per second, so that the sums are whole numbers
 
 

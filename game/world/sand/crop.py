@@ -1,4 +1,4 @@
-"""A part of a lattice, copied cheaply where the world is at work and read at leisure elsewhere."""
+"""A part of a lattice: copying its planes is cheap; its cells are unpacked later, in another thread."""
 
 from typing import NamedTuple
 
@@ -44,7 +44,7 @@ def forecast_box(shape, sight, ahead, most):
     """Return (the box to look `ahead` iterations in, whether what lies around it cannot matter).
 
     It is the whole where that has no more than `most` cells, else the box in `sight` with all from which sand could
-    get there, else as much of the sight as may be. A cell hears of its neighbours in one iteration, and of none beyond.
+    get there, else as much of the sight as may be. In one iteration a cell depends on its neighbours alone.
     """
     height, width = shape
     whole, reach = CropBox(0, 0, height, width), sight.grown(ahead, shape)

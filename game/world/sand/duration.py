@@ -1,11 +1,10 @@
-"""Durations: how long, as a person writes it and as it is shown."""
+"""Durations as people write them, and as they are shown."""
 
 import math
 import re
 
 from game.world.sand import parameters
 
-UNITS_S = {"h": 3600, "m": 60, "s": 1}
 WITH_UNITS = re.compile(r"(?:(\d+(?:\.\d+)?)h)?(?:(\d+(?:\.\d+)?)m)?(?:(\d+(?:\.\d+)?)s)?")
 WITH_COLONS = re.compile(r"(?:(\d+):)?(\d+):([0-5]\d(?:\.\d+)?)")
 
@@ -26,14 +25,11 @@ def _seconds(plain):
     """Return the seconds of text without blanks, or None where it spells none."""
     if re.fullmatch(r"\d+(\.\d+)?", plain):
         return float(plain)
-    found = WITH_COLONS.fullmatch(plain)
-    if found:
-        hours, minutes, seconds = (float(part or 0) for part in found.groups())
-        return 3600 * hours + 60 * minutes + seconds
-    found = WITH_UNITS.fullmatch(plain) if plain else None
+    found = WITH_COLONS.fullmatch(plain) or (WITH_UNITS.fullmatch(plain) if plain else None)
     if found is None:
         return None
-    return sum(float(part or 0) * unit for part, unit in zip(found.groups(), UNITS_S.values(), strict=True))
+    hours, minutes, seconds = (float(part or 0) for part in found.groups())
+    return 3600 * hours + 60 * minutes + seconds
 
 
 def spell(seconds, digits=0):

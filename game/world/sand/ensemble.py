@@ -27,7 +27,7 @@ _MASK = 2**64 - 1
 _RUNS = parameters.RUNS.default
 
 
-class Cancelled(Exception):  # noqa: N818 (it is a wish granted, not an error)
+class Cancelled(Exception):  # noqa: N818 (not an error: the caller asked for it)
     """Raised by a computation whose `cancelled` returned true; nothing is kept of it."""
 
 

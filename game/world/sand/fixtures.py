@@ -43,7 +43,7 @@ class Fixture:
     colour: str = AMBER  # of the sand that a tap pours: one of DYES
 
     def __post_init__(self):
-        for key in ("x", "y"):  # beyond that no lattice has cells, and no file may tell of it
+        for key in ("x", "y"):  # no lattice has cells beyond that, and files refuse such places
             object.__setattr__(self, key, min(max(getattr(self, key), FIRST_CELL.low), FIRST_CELL.high))
 
     def __str__(self):

@@ -1,6 +1,6 @@
-"""The audit: a world's grains are those of its start, and those painted and poured, less those erased and swallowed.
+"""The account of a world's grains: those at the start, plus painted and poured, less erased and swallowed.
 
-So it is for the grains of each colour. A grain that is painted over with another colour is erased and painted.
+It is kept for each colour. A grain painted over with another colour counts as erased and as painted.
 """
 
 from dataclasses import dataclass, replace
@@ -21,7 +21,7 @@ def split(change):
 
 @dataclass(frozen=True)
 class GrainAccount:
-    """The books of a world's grains since it was loaded: tallies by colour, and their sums as plain numbers."""
+    """What happened to a world's grains since it was loaded: tallies by colour, and their sums as plain numbers."""
 
     start_by_colour: tuple
     painted_by_colour: tuple = NO_GRAINS
@@ -68,7 +68,7 @@ class GrainAccount:
 
     @property
     def lines(self):
-        """The books as [(sign, word, grains)], what there must be now last; taps and drains where they worked."""
+        """The account as [(sign, word, grains)], what must be there now last; fixtures only where they acted."""
         lines = [("", "at the start", self.start), ("+", "painted", self.painted), ("-", "erased", self.erased)]
         if self.poured or self.swallowed:
             lines += [("+", "poured", self.poured), ("-", "swallowed", self.swallowed)]
@@ -76,7 +76,7 @@ class GrainAccount:
 
     @property
     def rows(self):
-        """The books of each colour that ever was: [(its number, start, painted, erased, poured, swallowed, now)]."""
+        """The account of each colour that ever was: [(its number, start, painted, erased, poured, swallowed, now)]."""
         columns = (
             self.start_by_colour,
             self.painted_by_colour,
@@ -85,8 +85,7 @@ class GrainAccount:
             self.swallowed_by_colour,
             self.expected_by_colour,
         )
-        books = enumerate(zip(*columns, strict=True))
-        return [(number, *row) for number, row in books if any(row)]
+        return [(number, *row) for number, row in enumerate(zip(*columns, strict=True)) if any(row)]
 
     @property
     def coloured(self):
@@ -111,5 +110,5 @@ class GrainAccount:
         )
 
     def balanced(self, world):
-        """Return whether `world` holds the grains that it must, of each colour: none was made or lost on the way."""
+        """Return whether `world` holds the grains that it must, of each colour: none was made or lost."""
         return world.grains_by_colour == self.expected_by_colour

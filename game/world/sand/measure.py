@@ -1,4 +1,4 @@
-"""Measures: numbers that can be read off a world of sand. Rows count from the top, heights from the ground."""
+"""Measures of a world: flow, heights, slope, motion. Rows count from the top, heights from the ground."""
 
 import math
 
@@ -53,7 +53,7 @@ def _slope(rising):
 
 
 class MotionMeter:
-    """Remembers some rows of the sand as they were."""
+    """Estimates how much sand moves between two looks, and on which side, from a sample of the rows."""
 
     def __init__(self):
         self._rows = self._layout = None

@@ -1,4 +1,4 @@
-"""The neck: the one narrow place that all sand above it has to pass, found in the walls of whatever stands there."""
+"""The neck: the one narrow gap in the walls that all sand above it must pass."""
 
 from dataclasses import dataclass
 

@@ -1,4 +1,4 @@
-"""What can be turned: each knob's default, range, unit and meaning, declared once.
+"""Parameters: the default, range, unit and meaning of each, declared once.
 
 Sliders, command-line flags, scene files and error messages all read their knob here.
 """

@@ -1,4 +1,4 @@
-"""The world: bit planes, an iteration and a seed, and nothing else that could decide the future."""
+"""The world: bit planes, an iteration and a seed. With the rule, they decide its whole future."""
 
 import hashlib
 import math
@@ -38,8 +38,8 @@ class World:
         """Return a world with sand and walls where two (H, W) bool arrays say so, at iteration 0.
 
         H and W are in [1, 16384]; seed is in [0, 2**64). colours: (H, W) uint8, the colour of each grain in [0, 8), a
-        place in `colour.NAMES`, and 0 where there is no sand; all 0 if left out. Raises ValueError for other shapes,
-        dtypes or seeds, for a cell that is both sand and wall, and for colours that are none.
+        place in `sand_colours.COLOURS`, and 0 where there is no sand; all 0 if left out. Raises ValueError for other
+        shapes, dtypes or seeds, for a cell that is both sand and wall, and for unknown colours.
         """
         sand, walls = check_cells(sand, walls)
         if colours is not None:
@@ -112,7 +112,7 @@ class World:
         return World(bit_planes.pack(sand, walls, colours), layout, self.iteration, self.seed, fixtures)
 
     def drop_fixtures(self, reached, box):
-        """Take away the fixtures of which reached(column, row) is true for any cell in a box, in place."""
+        """Remove, in place, each fixture that has a cell in the box for which reached(column, row) is true."""
         self.fixtures = tuple(each for each in self.fixtures if not any(reached(x, y) for x, y in each.cells_in(box)))
 
     def clear(self):
@@ -123,10 +123,10 @@ class World:
         self.activity.wake()
 
     def stroke(self, start, end, diameter, shape, ink):
-        """Let the cells take `ink` that a brush comes over from a place (column, row) to another.
+        """Give `ink` to the cells that a brush covers on its way from one place (column, row) to another.
 
-        diameter: in cells. shape: `ROUND`, `SQUARE` or `DIAMOND` of `core.brush`. Return the change in the grains of
-        each colour, a tuple of eight.
+        diameter: in cells. shape: `ROUND`, `SQUARE` or `DIAMOND` of `core.paint.strokes`. Return the change in the
+        grains of each colour, a tuple of eight.
         """
         where, radius, ink = self.layout, diameter / 2, self.mixed(ink)
         rows = start[1], end[1]
@@ -135,10 +135,10 @@ class World:
         return by_colour(change, ink)
 
     def figure(self, kind, box, edge, ink):
-        """Let the cells of a figure take `ink`, or those up to `edge` cells from its outline, 0 for all.
+        """Give `ink` to the cells of a figure, or only to those up to `edge` cells from its outline; 0 for all.
 
-        kind: `RECTANGLE` or `ELLIPSE` of `core.figures`. box: first column and row, then those after the last. Return
-        the change in the grains of each colour, a tuple of eight.
+        kind: `RECTANGLE` or `ELLIPSE` of `core.paint.primitives`. box: first column and row, then those after the last.
+        Return the change in the grains of each colour, a tuple of eight.
         """
         where, ink = self.layout, self.mixed(ink)
         self.activity.wake(box[1] - 1, box[3] + 1)
@@ -146,7 +146,7 @@ class World:
         return by_colour(change, ink)
 
     def fill(self, column, row, ink):
-        """Let a cell take `ink`, and all connected with it through cells of its kind.
+        """Give `ink` to a cell, and to all cells connected with it through cells of its kind.
 
         Return the change in the grains of each colour, a tuple of eight.
         """
@@ -158,7 +158,7 @@ class World:
         return by_colour(change, ink)
 
     def mixed(self, ink):
-        """Return the ink as acts on this world take it: with room to count colours, or without a colour.
+        """Return the ink as kernels need it for this world: with room to count colours, or without a colour.
 
         The first coloured ink gives the world its planes of colours.
         """
@@ -170,7 +170,7 @@ class World:
         return ink._replace(colour=ink.colour + first, tally=np.zeros(RAINBOW, np.int64))
 
     def kind_at(self, column, row):
-        """Return the kind of a cell, `EMPTY`, `GRAIN` or `WALL` of `core.ink`; None outside of the lattice."""
+        """Return the kind of a cell, `EMPTY`, `GRAIN` or `WALL` of `core.paint.ink`; None outside of the lattice."""
         height, width = self.shape
         if not (0 <= column < width and 0 <= row < height):
             return None

@@ -1,4 +1,4 @@
-"""A drawing: cells written as characters, or painted in a picture, as an array of materials."""
+"""Cells as an array of materials, read from characters or from a picture."""
 
 import warnings
 
@@ -84,14 +84,14 @@ def nearest_materials(pixels):
 def parted(cells):
     """Return sand and walls, (H, W) bool, and the colours of the sand, (H, W) uint8 or None, none of them writable."""
     walls = cells == WALL
-    parts = [(cells != EMPTY) & ~walls, walls]
+    sand, colours = (cells != EMPTY) & ~walls, None
     if (cells > WALL).any():
         numbers = np.zeros(len(COLOURS), np.uint8)
         numbers[list(SANDS)] = range(len(SANDS))
-        parts.append(numbers[cells])
-    for part in parts:
-        part.flags.writeable = False
-    return (*parts, None)[:3]
+        colours = numbers[cells]
+        colours.flags.writeable = False
+    sand.flags.writeable = walls.flags.writeable = False
+    return sand, walls, colours
 
 
 def joined(sand, walls, colours=None):

@@ -1,4 +1,4 @@
-"""The glass: the cells of an hourglass, the same upside down and in a mirror."""
+"""The cells of an hourglass, symmetric about both axes."""
 
 import math
 

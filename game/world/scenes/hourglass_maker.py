@@ -1,4 +1,4 @@
-"""The hourglass maker: the scene that a glass makes, and the glass that suits a size or a time."""
+"""The hourglass maker: a glass as a scene, a glass for a size or a time, and sand poured from one into another."""
 
 import math
 from dataclasses import replace

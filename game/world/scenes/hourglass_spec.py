@@ -1,4 +1,4 @@
-"""A glass as numbers: the hourglass in the middle of a lattice that the maker's sliders describe."""
+"""An hourglass as numbers: the one in the middle of a lattice that the maker's sliders describe."""
 
 from dataclasses import asdict, dataclass, fields
 from functools import lru_cache

@@ -1,4 +1,4 @@
-"""The start: the scene that a player asks for by name, by its file, or by a picture of it."""
+"""Opens the scene that a player asks for: by name, by its file, or by a picture."""
 
 import os
 from dataclasses import replace

@@ -1,7 +1,7 @@
-"""The journal: every act written to a file as it happens, so that no crash takes a session away.
+"""The journal: every act written to a file as it happens, so that no session is lost in a crash.
 
-A journal is a session file (see `lines`) that grows. A line is handed to the system at once, which survives the death
-of the process; the system is told to put it on the disk every SYNC_S, which bounds what a power cut can take. Each
+A journal is a session file (see `session_format`) that grows. Each line goes to the system at once, and so survives the
+death of the process; every SYNC_S it is forced to the disk, which bounds what a power cut can take. Each
 window has a journal of its own, locked while it is open: one without an end that nobody has locked is left from a
 crash.
 """
@@ -154,7 +154,7 @@ def unfinished(folder=None):
 
 
 def finish(path):
-    """Write that a session is not to be gone on with, and keep its journal like that of a finished one."""
+    """Mark the session of a journal as finished, so that it is not offered again."""
     journal, recording = Journal.resume(path)
     journal.close(recording.end, "")
 

@@ -1,4 +1,4 @@
-"""The watch: what is measured of a session now and then, as a story that is never longer than it may be."""
+"""Measurements of a session over time; when there are too many, every other one is dropped."""
 
 import math
 from itertools import pairwise
@@ -24,10 +24,10 @@ PROFILE_COLUMNS = "column", "pile_height_cells"
 
 
 class Measurement(NamedTuple):
-    """What was measured at one moment. The row that parts above from below is the watch's."""
+    """What was measured at one moment. Above and below are so of the row of Measurements."""
 
     now: int  # iterations since the session began
-    seconds: float  # since the watch began
+    seconds: float  # since measuring began
     above: int  # grains
     below: int
     height: int  # of the pile below the row, in cells

@@ -1,4 +1,4 @@
-"""A moment of a session: all that its future depends on, and the books kept on the way there."""
+"""A moment of a session: all that its future depends on, the account of its grains, and a look ahead of it."""
 
 import time
 from dataclasses import dataclass, replace
@@ -58,7 +58,7 @@ class Moment:
 
 
 class Lookahead:
-    """A moment of its own, and the acts that its line has ahead."""
+    """Where a session is headed: a moment apart from it, run ahead of it through the acts still to come."""
 
     def __init__(self, moment, acts=()):
         """Take over `moment`; acts: history.Act, the nearest last."""
@@ -67,7 +67,7 @@ class Lookahead:
 
     @property
     def world(self):
-        """The world at this point of the lookahead: another object after an act that loads one."""
+        """The world at this point: another object after an act that loads one."""
         return self.moment.world
 
     @property
@@ -81,7 +81,7 @@ class Lookahead:
         return self._acts[0].at if self._acts else None
 
     def copy(self):
-        """Return a lookahead of its own from the same point."""
+        """Return an independent copy from the same point."""
         return Lookahead(replace(self.moment, world=self.moment.world.copy()), self._acts)
 
     def run_to(self, now):

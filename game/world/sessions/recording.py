@@ -1,4 +1,4 @@
-"""A replay: a session as a file (.sandglass), from which every moment of it can be computed again on any machine."""
+"""A session as a file (.sandglass), from which any machine can compute every moment of it again."""
 
 from dataclasses import dataclass, field
 

@@ -1,4 +1,4 @@
-"""The ending: at which iteration the last grain passes the neck, computed ahead of time on a copy of the session."""
+"""When the last grain passes the neck: the iteration, computed ahead of time on a copy of the session."""
 
 import time
 from dataclasses import dataclass, replace
@@ -17,7 +17,6 @@ BATCH = 64  # iterations before the first look; their number doubles while a bat
 BATCH_NS = 4_000_000  # work between two looks at the neck and at `cancelled`
 MOST_ITERATIONS = 50_000_000  # what has not ended by then counts as endless: at 240 a second it is two days
 MOST_NS = 30 * 10**9  # work after which the search is given up
-
 MOST_NS_BY_TAPS = 2 * 10**9  # the same where taps pour: such sand hardly ever ends
 
 
@@ -41,7 +40,7 @@ class RunOut:
 def find_run_out(lookahead, cancelled=None, most_iterations=MOST_ITERATIONS, most_ns=MOST_NS):
     """Return the RunOut of a Lookahead, which is used up.
 
-    Grains that stick for ever do not count: the ending is the last iteration at which anything changes above the neck
+    Grains that stick forever do not count: the end is the last iteration at which anything changes above the neck
     or, where there is no neck, anywhere; the last act still to come is one that does. cancelled(), if given, is asked
     every few milliseconds; once it returns true, Cancelled is raised.
     """

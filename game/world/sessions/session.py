@@ -55,7 +55,7 @@ class Session:
 
     @property
     def account(self):
-        """The audit's books since the scene was loaded: `account.balanced(world)` must hold."""
+        """The account of grains since the scene was loaded: `account.balanced(world)` must hold."""
         return self.timeline.moment.account
 
     @property
@@ -120,7 +120,7 @@ class Session:
         self.timeline.memory_mb = memory_mb
 
     def drop_past(self):
-        """Drop the snapshots of the past; they hold each other, and nobody may look for such circles for long."""
+        """Drop the snapshots of the past: they form reference cycles, and collecting those is slow."""
         self.timeline.drop_past()
 
     @property

@@ -30,21 +30,22 @@ class LineWriter:
 
     def header(self, scene, seed):
         """Return the first line."""
-        return self._sealed({"sandglass": VERSION, "scene": scene_json.encode(scene, self.known), "seed": seed})
+        return self.line({"sandglass": VERSION, "scene": scene_json.encode(scene, self.known), "seed": seed})
 
     def entry(self, entry):
         """Return the line of an Entry."""
-        return self._sealed(action_json.encode(entry, self.known))
+        return self.line(action_json.encode(entry, self.known))
 
     def story(self, entries):
         """Return the lines of entries, strokes drawn together."""
-        return b"".join(self._sealed(values) for values in action_json.encode_story(entries, self.known))
+        return b"".join(self.line(values) for values in action_json.encode_story(entries, self.known))
 
     def end(self, at, digest):
         """Return the last line: where the session ended, and the world's digest there ("" where nobody knows)."""
-        return self._sealed({"at": at, "do": "end", "digest": digest})
+        return self.line({"at": at, "do": "end", "digest": digest})
 
-    def _sealed(self, values):
+    def line(self, values):
+        """Return the line of a dict, with its seal."""
         body = json.dumps(values, separators=(",", ":"))[:-1].encode()
         self.checksum = zlib.crc32(body, self.checksum)
         return b'%s,"sum":"%08x"}\n' % (body, self.checksum)

@@ -1,4 +1,4 @@
-"""Snapshots: moments kept so that the past is near, at distances that grow with age where memory is short."""
+"""Snapshots: moments kept so that seeking is fast. Where memory is short, the older ones lie further apart."""
 
 from dataclasses import replace
 
@@ -53,11 +53,11 @@ class SnapshotStore:
     def __init__(self, budget):
         self.bytes = 0
         self.budget = budget
-        self._kept = {}  # snapshots as keys, in the order they were taken
+        self.kept = {}  # snapshots as keys, in the order they were taken
         self._walls = {}  # id: [walls, how many snapshots share them], in the order of first use
 
     def __len__(self):
-        return len(self._kept)
+        return len(self.kept)
 
     def keep(self, moment, act, line):
         """Keep a moment that has seen `act`, in favour of the past of `line`, if the budget has room for it at all."""
@@ -68,7 +68,7 @@ class SnapshotStore:
         while self.bytes + self._cost(snapshot) > self.budget:
             self._drop(next(self._least_missed(line, snapshot.work_ns)))
         self.bytes += self._cost(snapshot)
-        self._kept[snapshot] = None
+        self.kept[snapshot] = None
         self._walls.setdefault(id(snapshot.walls), [snapshot.walls, 0])[1] += 1
         if not act.snapshots:
             act.snapshots = []
@@ -85,14 +85,14 @@ class SnapshotStore:
 
     def empty(self):
         """Drop all snapshots."""
-        for snapshot in list(self._kept):
+        for snapshot in list(self.kept):
             self._drop(snapshot)
 
     def _cost(self, snapshot):
         return snapshot.moving.nbytes + (0 if id(snapshot.walls) in self._walls else snapshot.walls.nbytes)
 
     def _drop(self, snapshot):
-        del self._kept[snapshot]
+        del self.kept[snapshot]
         snapshot.act.snapshots.remove(snapshot)
         share = self._walls[id(snapshot.walls)]
         share[1] -= 1
@@ -105,10 +105,10 @@ class SnapshotStore:
 
         Of two neighbours only one is yielded, since the gap that the other leaves is then a larger one.
         """
-        own = _past(line)
-        others = self._kept.keys() - own
+        own = past_of(line)
+        others = self.kept.keys() - own
         if others:
-            yield from [each for each in self._kept if each in others]
+            yield from [each for each in self.kept if each in others]
             return
         newest_ns = max(newest_ns, own[-1].work_ns)
         work = [0, *(each.work_ns for each in own), newest_ns]
@@ -123,7 +123,7 @@ class SnapshotStore:
                 yield own[number]
 
 
-def _past(act):
+def past_of(act):
     """Return the snapshots that lie on the way to `act` and beyond, the earliest first."""
     found, latest = [], None
     while act is not None:

@@ -8,23 +8,36 @@ from game import headless
 from game.core import step
 from game.core.draw import cells
 from game.core.paint import primitives, strokes
+from game.world.looks.painter import Painter
 from game.world.scenes.scene import load_scene
+from game.world.sessions.session import Session
 
 rooms = strokes, primitives, cells, step
 kernels = [each for room in rooms for each in vars(room).values() if hasattr(each, "signatures")]
 assert len(kernels) > 3
 count = lambda: sum(len(each.signatures) for each in kernels)
-frame = headless._frame
 
-def watched(*told, **more):
-    before = count()
-    taken = frame(*told, **more)
-    assert count() == before, name
-    return taken
+playing = set()  # the scenes that have begun their first frame
 
-headless._frame = watched
-for name in ("hourglass", "fountain", "rainbow"):
-    headless.run(load_scene(name), 8)
+def watch(kind, name):
+    work = getattr(kind, name)
+
+    def watched(*told, **more):
+        if kind is Session:
+            playing.add(scene)
+        before = count()
+        done = work(*told, **more)
+        assert count() == before or scene not in playing, (scene, name)
+        return done
+
+    setattr(kind, name, watched)
+
+watch(Session, "frame")
+watch(Session, "do")
+watch(Painter, "draw")
+for scene in ("hourglass", "fountain", "rainbow"):
+    headless.run(load_scene(scene), 8)
+assert len(playing) == 3
 """
 
 

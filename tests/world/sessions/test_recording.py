@@ -68,7 +68,7 @@ def told(entries):
 def resealed(lines):
     """Return a file of (dict) lines, each with the seal it should have."""
     pen = LineWriter()
-    return b"".join(pen._sealed(values) for values in lines)
+    return b"".join(pen.line(values) for values in lines)
 
 
 def values_of(data):

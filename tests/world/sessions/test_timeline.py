@@ -107,7 +107,7 @@ def test_snapshots_never_take_more_than_the_budget(play):
     shelf = session.timeline.snapshots
     for command in play:
         obey(session, command)
-        kept = list(shelf._kept)
+        kept = list(shelf.kept)
         walls = {id(each.walls): each.walls.nbytes for each in kept}
         assert shelf.bytes == sum(each.moving.nbytes for each in kept) + sum(walls.values()) <= shelf.budget
 
@@ -272,14 +272,14 @@ def test_a_smaller_budget_takes_effect_at_once(spacing):
 def test_shrinking_looks_through_the_past_a_few_times_however_much_there_is(monkeypatch):
     for name, value in (("SPACING_NS", 0), ("SLICE_NS", 1), ("SHARE", 0), ("MEGABYTE", 10**6)):
         monkeypatch.setattr(timelines, name, value)
-    session, looks, past = Session(SCENES[1]), [], snapshots._past
+    session, looks, past = Session(SCENES[1]), [], snapshots.past_of
     session.timeline.run(1000)
     shelf = session.timeline.snapshots
-    monkeypatch.setattr(snapshots, "_past", lambda act: looks.append(act) or past(act))
+    monkeypatch.setattr(snapshots, "past_of", lambda act: looks.append(act) or past(act))
     before = len(shelf)
     shelf.fit(shelf.bytes // 30, session.timeline.history.line)
     assert before > 500 and 0 < len(shelf) <= before // 15 and len(looks) < 20
-    assert np.diff([0, *sorted(each.now for each in shelf._kept), 1000]).max() < 500
+    assert np.diff([0, *sorted(each.now for each in shelf.kept), 1000]).max() < 500
 
 
 def test_distances_between_snapshots_grow_with_age(monkeypatch):
@@ -290,7 +290,7 @@ def test_distances_between_snapshots_grow_with_age(monkeypatch):
     session = Session(SCENES[0])
     monkeypatch.setattr(session.timeline.moment, "run", lambda some: _steadily(session, some))
     session.timeline.run(2000)
-    kept = sorted(each.now for each in session.timeline.snapshots._kept)
+    kept = sorted(each.now for each in session.timeline.snapshots.kept)
     gaps = np.diff([0, *kept])
     assert len(kept) > 10 and kept[-1] >= 1990
     assert gaps[: len(gaps) // 3].mean() > 4 * gaps[-len(gaps) // 3 :].mean()
