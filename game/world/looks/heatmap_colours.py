@@ -1,7 +1,7 @@
 """The colours of a heatmap, from dark violet to pale green, and how they cover the sand.
 
-Lightness rises by equal steps of what the eye tells apart, so the order of the colours is seen without their hue, by
-colour-blind eyes and in print.
+Lightness rises in equal perceived steps, so the order of the colours can be read without their hue: by colour-blind
+people, and in print.
 """
 
 from functools import cache
