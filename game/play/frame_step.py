@@ -1,4 +1,4 @@
-"""Stepping: the iterations of one frame, forwards, or on the way to another moment."""
+"""The frame step: the iterations of one frame, forwards, or on the way to another moment."""
 
 import time
 
@@ -10,21 +10,25 @@ LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame
 LONG_WAY_S = 0.3  # a way to another moment that takes longer is shown
 
 
-class Stepping:
+class FrameStep:
     """Moves the session by what a frame's time is worth, within what the frame's other work leaves of its budget."""
 
-    def __init__(self, toy):
-        self._toy = toy
-        self.frame_ns = 0  # what the whole of the last frame took
+    def __init__(self, sessions, display, settings, time_bar, rewind, pacers):
+        """`pacers`: the first whose due() is not None tells how many iterations are due, else the session's clock."""
+        self._sessions, self._display, self._settings = sessions, display, settings
+        self._time_bar, self._rewind, self._pacers = time_bar, rewind, pacers
         self.moving_ns = 0  # the work of this thread that moved sand in this frame
         self._own_ns = self._other_ns = 0  # what stepping took in this frame, and anything else in the last one
         self._streams = MotionSamples()
         self._way_since_s = None  # since when another moment is being computed
 
     @property
-    def on_the_way(self):
-        """Whether another moment is being computed, and not all of it fitted one frame."""
-        return self._way_since_s is not None and bool(self._toy.sessions.now.timeline.goal)
+    def words(self):
+        """What the status line says while another moment is being computed that did not fit one frame, or ""."""
+        timeline = self._sessions.now.timeline
+        if self._way_since_s is None or not timeline.goal:
+            return ""
+        return f"Computing the sand: {100 * timeline.moment.now // timeline.goal} %"
 
     def step(self, elapsed_ns, now_s):
         """Run what is due; while the glass turns, time stands still."""
@@ -34,11 +38,11 @@ class Stepping:
 
     def note(self, work_ns):
         """Take in what the whole frame took."""
-        self.frame_ns, self._other_ns = work_ns, work_ns - self._own_ns
+        self._other_ns = work_ns - self._own_ns
 
     def passing(self, now_s):
         """Return whether the moment that is computed is one on the way, passed too quickly to be worth a look."""
-        if self._toy.sessions.now.timeline.goal is None:
+        if self._sessions.now.timeline.goal is None:
             self._way_since_s = None
             return False
         if self._way_since_s is None:
@@ -46,30 +50,35 @@ class Stepping:
         return now_s - self._way_since_s < LONG_WAY_S
 
     def _run(self, elapsed_ns, now_s):
-        toy, stage = self._toy, self._toy.display.stage
-        toy.sessions.now.timeline.rewinding = toy.rewind.held
-        if toy.time_bar.held or toy.rewind.held:
-            if stage.turn:
-                stage.end_turn()
-            self._go_to_another_moment(elapsed_ns)
+        session, view = self._sessions.now, self._display.stage
+        session.timeline.rewinding = self._rewind.held
+        if self._time_bar.held or self._rewind.held:
+            if view.turn:
+                view.end_turn()
+            self._go_to_another_moment(session, elapsed_ns)
             return
-        if stage.turn:
-            if not stage.turn.over(now_s):
+        if view.turn:
+            if not view.turn.over(now_s):
                 return
-            stage.end_turn()
-        toy.sessions.now.streams = self._streams if toy.settings["smooth_streams"] else None
-        budget_ns = max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS)
-        due = toy.ahead.due()
-        toy.sessions.now.frame(elapsed_ns, budget_ns, toy.timer.due() if due is None else due)
+            view.end_turn()
+        session.streams = self._streams if self._settings["smooth_streams"] else None
+        session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS), self._due())
 
-    def _go_to_another_moment(self, elapsed_ns):
+    def _due(self):
+        for each in self._pacers:
+            due = each.due()
+            if due is not None:
+                return due
+        return None
+
+    def _go_to_another_moment(self, session, elapsed_ns):
         """Follow the time bar's handle or the rewind."""
-        toy, session, timeline = self._toy, self._toy.sessions.now, self._toy.sessions.now.timeline
+        timeline = session.timeline
         session.due = session.done = 0
-        if toy.time_bar.held:
-            goal = toy.time_bar.goal(session)
+        if self._time_bar.held:
+            goal = self._time_bar.goal(session)
         else:  # where the last frame did not get, this one goes first
-            goal = toy.rewind.goal(session, elapsed_ns) if timeline.goal is None else timeline.goal
+            goal = self._rewind.goal(session, elapsed_ns) if timeline.goal is None else timeline.goal
         if goal == timeline.goal:
             timeline.catch_up(SEEK_NS)
         elif goal != session.now:

@@ -6,7 +6,7 @@ import pytest
 
 from game import Rule
 from game.core.draw.cells import LOOKS, WALL
-from game.play.controls import commands
+from game.play.controls import view_commands
 from game.world.scenes.scene import load_scene
 from game.world.sessions.action import SetRule
 from game.world.sessions.session import Session
@@ -168,8 +168,9 @@ def test_plus_and_minus_change_the_speed(glass):
 
 def test_escape_closes_what_is_open_and_quits_when_it_is_pressed_twice(glass):
     toy, own = glass.toy, glass.session
-    for command in ("toggle_help", "toggle_cursor", "toggle_plots", "toggle_forecast", "compare", "toggle_fullscreen"):
-        getattr(toy.commands, command)()
+    shown = "help", "cursor", "plots", "forecast", "fullscreen"
+    for command in (*(f"view.toggle_{each}" for each in shown), "sand.compare"):
+        toy.commands.give(command)
         glass.wait(2)
     for _ in range(7):
         assert toy.running
@@ -182,9 +183,9 @@ def test_escape_closes_what_is_open_and_quits_when_it_is_pressed_twice(glass):
 
 def test_one_escape_alone_does_not_quit(glass, monkeypatch):
     now_s = [50.0]
-    monkeypatch.setattr(commands.time, "monotonic", lambda: now_s[0])
+    monkeypatch.setattr(view_commands.time, "monotonic", lambda: now_s[0])
     for _ in range(3):
-        now_s[0] += commands.TWICE_S + 0.1
+        now_s[0] += view_commands.TWICE_S + 0.1
         glass.key(pygame.K_ESCAPE)
         assert glass.toy.running
 

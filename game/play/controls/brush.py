@@ -1,8 +1,8 @@
-"""The tools: what the pointer holds, and its presses, moves and releases turned into acts."""
+"""The brush: the tool in hand, and the gesture that it makes. Each gesture is done to the session as it goes on."""
 
 import pygame
 
-from game.play.controls.fixture_tool import Carry, fresh
+from game.play.controls.fixture_tool import FixtureTool, fresh
 from game.play.controls.gestures import Press, Span, Trail
 from game.play.view.outlines import box_outline, brush_outline, mark
 from game.world.sand import parameters
@@ -19,8 +19,8 @@ TOOLS = {  # the gesture that each makes
     "spray": Trail,
     "pick": Press,
     "replace": Trail,
-    "tap": Carry,
-    "drain": Carry,
+    "tap": FixtureTool,
+    "drain": FixtureTool,
 }
 ONE_CELL = ("rectangle", "ellipse", "fill", "pick")  # tools that aim at a cell, however large the brush
 SIZES = (1, 2, 3, 5, 8, 13, 21, 34, 55)  # diameters that the number keys give, in cells
@@ -30,7 +30,8 @@ LEFT, RIGHT = 1, 3
 class Brush:
     """What the pointer paints with, and the gesture that it is making."""
 
-    def __init__(self):
+    def __init__(self, sessions):
+        self._sessions = sessions
         self.tool = "brush"
         self.material = "sand"
         self.colour = AMBER  # of sand: one of DYES
@@ -40,7 +41,7 @@ class Brush:
         self.every = parameters.EVERY.default  # iterations from one grain of a new tap to the next
         self.edge_only = False  # rectangles and ellipses are drawn as their outline, as thick as the brush
         self._gesture = self._button = None
-        self.acted = False  # the gesture has changed something: whoever lets its acts happen says so
+        self.acted = False  # the gesture has changed something
         self._erasing = False  # the gesture erases whatever the material
         self._at = None  # where the gesture has come to, and whether it goes straight
         self._before_pick = "brush"
@@ -77,7 +78,7 @@ class Brush:
     def choose(self, tool):
         """Take a tool in hand."""
         self.let_go()
-        if tool == "pick" != self.tool:
+        if tool == "pick" and self.tool != "pick":
             self._before_pick = self.tool
         self.tool = tool
 
@@ -106,42 +107,41 @@ class Brush:
         change = max(1, self.diameter // 10) * steps
         self.diameter = int(min(max(self.diameter + change, parameters.BRUSH.low), parameters.BRUSH.high))
 
-    # --- gestures: each method returns [(act, whether undo takes it back together with the act before)] ---
+    # --- gestures ---
 
-    def handle_event(self, event, view, world):
+    def handle_event(self, event, view):
         """Let the mouse make gestures on the lattice that `view` shows."""
         shift = bool(pygame.key.get_mods() & pygame.KMOD_SHIFT)
         if event.type == pygame.MOUSEBUTTONDOWN and event.button in (LEFT, RIGHT) and not self.painting:
             self._button = event.button
-            return self.press(view.place(*event.pos), world, event.button == RIGHT, shift)
-        if event.type == pygame.MOUSEMOTION and self._button:
-            return self.move(view.place(*event.pos), shift)
-        if event.type == pygame.MOUSEBUTTONUP and event.button == self._button:
-            return self.release(view.place(*event.pos), shift)
-        return []
+            self.press(view.place(*event.pos), event.button == RIGHT, shift)
+        elif event.type == pygame.MOUSEMOTION and self._button:
+            self.move(view.place(*event.pos), shift)
+        elif event.type == pygame.MOUSEBUTTONUP and event.button == self._button:
+            self.release(view.place(*event.pos), shift)
 
-    def press(self, place, world, erase=False, straight=False):
+    def press(self, place, erase=False, straight=False):
         """Begin the tool's gesture; `erase`: with nothing. A brush that goes `straight` draws a line."""
         tool = "brush" if erase and self.tool in ("pick", "tap", "drain") else self.tool
         gesture = Span if straight and tool == "brush" else TOOLS[tool]
         self._erasing, self.acted = erase, False
-        self._gesture = gesture(self, place, world)
-        return self.move(place)
+        self._gesture = gesture(self, place, self._sessions.now.world)
+        self.move(place)
 
     def move(self, place, straight=False):
         """Go on with the gesture at another place; `straight`: a line in steps of 45 degrees, sides alike."""
         self._at = place, straight and self.tool != "brush"
-        return self._told(self._gesture.go(*self._at))
+        self._do(self._gesture.go(*self._at))
 
     def hold(self):
         """Let a frame pass: a brush that rests goes on painting."""
-        return self._told(self._gesture.go(*self._at)) if self.painting else []
+        if self.painting:
+            self._do(self._gesture.go(*self._at))
 
     def release(self, place, straight=False):
         """End the gesture at a place."""
-        acts = self._told(self._gesture.end(place, straight and self.tool != "brush"))
+        self._do(self._gesture.end(place, straight and self.tool != "brush"))
         self.let_go()
-        return acts
 
     def let_go(self):
         """End the gesture with what it has done so far."""
@@ -154,11 +154,15 @@ class Brush:
         return tuple(mark(outline, view) for outline in outlines or [self._aim(place)])
 
     def _aim(self, place):
-        if TOOLS[self.tool] is Carry:
+        if TOOLS[self.tool] is FixtureTool:
             return box_outline(*fresh(self, place).box)
         if self.tool in ONE_CELL:
             return box_outline(*box(place, place))
         return brush_outline(self.shape, self.diameter, snap(place, self.diameter))
 
-    def _told(self, acts):
-        return [(act, self.acted or number > 0) for number, act in enumerate(acts)]
+    def _do(self, acts):
+        """Let acts of the gesture happen; undo takes all of them back together."""
+        join = self.acted
+        for act in acts:
+            self.acted = self._sessions.do(act, join) or self.acted
+            join = True

@@ -1,12 +1,11 @@
-"""The camera: which part of the lattice the stage shows. It is no part of the world, and not recorded."""
+"""The camera: which part of the lattice is in sight. It is no part of the world, and not recorded."""
 
 import math
-import time
 
 import pygame
 
 from game.play.controls.keymap import CTRL
-from game.play.view.zoom_badge import Badge
+from game.play.view.zoom_badge import ZoomBadge
 from game.world.looks.view import LEVELS, View, level
 from game.world.sessions.session import SEEK_NS
 
@@ -21,13 +20,14 @@ MISTAKE_S = 0.7  # a finger that has painted for less than this meant to be one 
 class Camera:
     """Hears wheel, drags and fingers, obeys the keys, and keeps what is in the middle when the window changes."""
 
-    def __init__(self, toy):
-        self._toy = toy
-        self.badge = Badge(toy)
+    def __init__(self, sessions, display, pointer, brush, on_tap):
+        """`on_tap()` is called when Space was pressed and has dragged nothing."""
+        self._sessions, self._display, self._pointer = sessions, display, pointer
+        self._brush, self._on_tap = brush, on_tap
+        self.badge = ZoomBadge(display)
         self._drag = None  # where the pointer was that drags the lattice along, and the button that does
         self._ctrl = False  # a Ctrl key is held
         self._space = None  # while Space is held: whether it has dragged
-        self._pointer = None
         self._fingers = {}  # where they are, by number
         self._pinch = None  # while two fingers are down: cell, place and distance at the start
         self._since_s = 0.0  # when the first finger came down
@@ -38,7 +38,7 @@ class Camera:
     def zoom(self, steps):
         """Go `steps` levels closer, or away, about the pointer or the middle of the stage."""
         view = self._stage.view
-        x, y = self._toy.hearing.pointer or self._stage.area.center
+        x, y = self._pointer.place or self._stage.area.center
         self._show(level(view.cell, steps), view.place(x, y), x, y)
 
     def zoom_to(self, cell):
@@ -145,7 +145,7 @@ class Camera:
 
     def _key_down(self, event):
         self._ctrl |= event.key in CTRL_KEYS
-        if event.key != pygame.K_SPACE or event.mod & (CTRL | pygame.KMOD_ALT) or self._toy.brush.painting:
+        if event.key != pygame.K_SPACE or event.mod & (CTRL | pygame.KMOD_ALT) or self._brush.painting:
             return False
         self._space = bool(self._space)
         return True
@@ -156,7 +156,7 @@ class Camera:
             return False
         dragged, self._space = self._space, None
         if not dragged and not self._drag:
-            self._toy.commands.pause()
+            self._on_tap()
         return True
 
     # --- fingers ---
@@ -164,7 +164,7 @@ class Camera:
     def _finger_down(self, event):
         self._fingers[event.finger_id] = self._pixel_of(event)
         if len(self._fingers) == 1:
-            self._since_s = time.perf_counter()
+            self._since_s = self._display.now_s
         elif len(self._fingers) == 2 and self._stage.area.collidepoint(self._middle):
             self._take_back_stroke()
             self._swallows = True
@@ -202,13 +202,13 @@ class Camera:
 
     def _take_back_stroke(self):
         """End the stroke that the first of two fingers began, and undo it if it came down only just before."""
-        toy, acted = self._toy, self._toy.brush.acted
-        toy.brush.let_go()
-        if acted and time.perf_counter() - self._since_s < MISTAKE_S:
-            toy.sessions.now.undo(budget_ns=SEEK_NS)
+        acted = self._brush.acted
+        self._brush.let_go()
+        if acted and self._display.now_s - self._since_s < MISTAKE_S:
+            self._sessions.now.undo(budget_ns=SEEK_NS)
 
     def _pixel_of(self, event):
-        width, height = self._toy.display.window.size
+        width, height = self._display.window.size
         return event.x * width, event.y * height
 
     @property
@@ -225,7 +225,7 @@ class Camera:
 
     @property
     def _stage(self):
-        return self._toy.display.stage
+        return self._display.stage
 
     def _shift(self, right, down):
         """Drag the lattice by pixels."""

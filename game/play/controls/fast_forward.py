@@ -1,4 +1,4 @@
-"""Ahead: time that runs as fast as frames can hold, while a key is held, until nothing moves, or until sand flows."""
+"""Fast-forward while a key is held, to rest, or to the next flow."""
 
 import time
 
@@ -20,11 +20,11 @@ HELD, SETTLING, AWAITING = "held", "settling", "awaiting"
 RESTING = "resting"  # the key was let go while the iteration was looked for at which all came to rest
 
 
-class Ahead:
+class FastForward:
     """Hears the key, and stops at the very iteration that was looked for, however many a frame had run beyond it."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, sessions, background, notices, keys):
+        self._sessions, self._background, self._notices, self._keys = sessions, background, notices, keys
         self._mode = None
         self._by_button = False  # it is the panel's button that is held
         self._reached = None  # a function of (world, rule) that says whether what is looked for is there
@@ -44,15 +44,15 @@ class Ahead:
 
     @property
     def words(self):
-        """What the HUD is to say of it, or ""."""
+        """What the status line says of it, or ""."""
         if self._mode is None or time.monotonic() - self._since_s < SHORTEST_S:
             return ""
-        gone = f"{self._toy.sessions.now.now - self._start:,} iterations"
+        gone = f"{self._sessions.now.now - self._start:,} iterations"
         return {
             HELD: "Fast forward",
             RESTING: "",
-            SETTLING: f"Settling: {gone}    Esc stops it",
-            AWAITING: f"Until the sand flows: {gone}    Esc stops it",
+            SETTLING: f"Running to rest: {gone}    Esc stops",
+            AWAITING: f"Running to the next flow: {gone}    Esc stops",
         }[self._mode]
 
     def handle_event(self, event):
@@ -63,7 +63,7 @@ class Ahead:
         if event.key == pygame.K_RIGHT and alone:
             return self._hear_key(event)
         if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and self._mode in (SETTLING, AWAITING):
-            self._toy.notices.say(f"Stopped after {self._toy.sessions.now.now - self._start:,} iterations.")
+            self._notices.say(f"Stopped after {self._sessions.now.now - self._start:,} iterations.")
             self.stop()
             return True
         return False
@@ -88,12 +88,12 @@ class Ahead:
 
     def await_flow(self):
         """Run until a grain next passes the neck."""
-        if not self._toy.sessions.ready():
+        if not self._sessions.ready():
             return
-        world = self._toy.sessions.now.world
+        world = self._sessions.now.world
         neck = find_neck(world)
         if neck is None:
-            self._toy.notices.say("There is no one neck here for the sand to pass.")
+            self._notices.say("There is no one neck here for the sand to pass.")
             return
         now = neck.grains_above(world)
         self._begin(AWAITING, lambda world, rule: neck.grains_above(world) != now)
@@ -105,7 +105,7 @@ class Ahead:
 
     def due(self):
         """Return how many iterations this frame is to try, or None where time goes at its own pace."""
-        timeline = self._toy.sessions.now.timeline
+        timeline = self._sessions.now.timeline
         if self._mode is None or timeline.goal is not None:
             return None
         if self._narrowing:
@@ -117,7 +117,7 @@ class Ahead:
         if self._mode is None:
             return None
         self._before = timeline.lookahead()
-        most = MOST_TOGETHER if isinstance(self._toy.sessions.now, Comparison) else MANY
+        most = MOST_TOGETHER if isinstance(self._sessions.now, Comparison) else MANY
         if self._mode != HELD:
             return most
         self._step *= GROWTH
@@ -125,7 +125,7 @@ class Ahead:
 
     def update(self, now_s):
         """See what a frame has come to."""
-        session = self._toy.sessions.now
+        session = self._sessions.now
         if self._mode is None:
             return
         if self._where != _where(session):
@@ -140,7 +140,7 @@ class Ahead:
         elif found:
             self._narrow()
         elif self._mode == AWAITING and session.at_rest:
-            self._toy.notices.say("No sand will pass the neck any more.")
+            self._notices.say("No sand will pass the neck any more.")
             self.stop()
 
     def _hear_key(self, event):
@@ -149,7 +149,7 @@ class Ahead:
             if was:
                 self._release()
             return was
-        if self._toy.hearing.has_down(pygame.K_RIGHT):
+        if self._keys.has_down(pygame.K_RIGHT):
             return False
         if self._mode is None:
             self._begin(HELD, at_rest)
@@ -164,17 +164,17 @@ class Ahead:
 
     def _begin(self, mode, reached):
         self.stop()
-        if self._toy.sessions.ready():
+        if self._sessions.ready():
             self._mode, self._reached = mode, reached
             self._rested = None
-            self._step = FIRST_STEP * max(1.0, self._toy.sessions.now.clock.speed / FRAMES_PER_SECOND)
-            self._start, self._since_s = self._toy.sessions.now.now, time.monotonic()
-            self._where = _where(self._toy.sessions.now)
-            self._line = self._toy.sessions.now.timeline.history.line
+            self._step = FIRST_STEP * max(1.0, self._sessions.now.clock.speed / FRAMES_PER_SECOND)
+            self._start, self._since_s = self._sessions.now.now, time.monotonic()
+            self._where = _where(self._sessions.now)
+            self._line = self._sessions.now.timeline.history.line
 
     def _await_anew(self):
         """Count from here on after an act: it may have put sand above the neck, or the neck elsewhere."""
-        here = self._where == _where(self._toy.sessions.now)
+        here = self._where == _where(self._sessions.now)
         self.stop()
         if here:
             self.await_flow()
@@ -182,12 +182,8 @@ class Ahead:
     def _narrow(self):
         """Find the first iteration of this frame at which it was so, beside the frames that follow."""
         self._narrowing = True
-        lookahead, end, reached, timeline = (
-            self._before,
-            self._toy.sessions.now.now,
-            self._reached,
-            self._toy.sessions.now.timeline,
-        )
+        course, end, reached = self._before, self._sessions.now.now, self._reached
+        timeline = self._sessions.now.timeline
         line = timeline.history.line
 
         def work():
@@ -196,16 +192,16 @@ class Ahead:
         def take(found):
             if not self._narrowing:
                 return
-            if self._toy.sessions.now.timeline is timeline and timeline.history.line is line:
+            if self._sessions.now.timeline is timeline and timeline.history.line is line:
                 self._arrive(found)
             else:
                 self.stop()
 
-        self._toy.background.do(work, take, self.stop)
+        self._background.do(work, take, self.stop)
 
     def _arrive(self, at):
         """Go back from where the frame had come to, and say what it took."""
-        session, took_s = self._toy.sessions.now, time.monotonic() - self._since_s
+        session, took_s = self._sessions.now, time.monotonic() - self._since_s
         session.seek(at, SEEK_NS)
         session.timeline.forget_beyond()
         if self._mode == HELD:
@@ -216,7 +212,7 @@ class Ahead:
             return
         gone = f"{at - self._start:,} iterations, computed in {took_s:.2f} s."
         said = {SETTLING: "Nothing can move any more after", AWAITING: "A grain passes the neck after"}[self._mode]
-        self._toy.notices.say("Nothing can move here." if at == self._start else f"{said} {gone}")
+        self._notices.say("Nothing can move here." if at == self._start else f"{said} {gone}")
         if self._mode == AWAITING:
             session.paused = True
         self.stop()

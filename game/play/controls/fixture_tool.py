@@ -1,18 +1,13 @@
-"""Fittings: how taps and drains are shown, put where the pointer lets go, and moved."""
+"""The fixture tool: puts taps and drains where the pointer lets go, and moves them."""
 
-import math
-
-from game.play.ui import theme as look
-from game.play.view.outlines import Mark, box_outline
+from game.play.view.outlines import box_outline
 from game.world.sand.fixtures import MOST, TAP, Fixture
 from game.world.sessions.action import SetFixtures, cell, snap
 
 NEAR = 1  # cells: a fixture is taken hold of this far beside it
-LEAST = 8  # pixels at scale 1: the least width of a symbol
-STEM = 4  # pixels at scale 1: from a symbol's edge to its handle
 
 
-class Carry:
+class FixtureTool:
     """Carries a new fixture, or the one that lies where the button goes down, and puts it where it comes up."""
 
     def __init__(self, brush, place, world):
@@ -46,27 +41,6 @@ def fresh(brush, place):
     column, row = cell((snap(place, brush.diameter)[0] - brush.diameter / 2, place[1]))
     sand = (brush.every, brush.colour) if brush.tool == TAP else ()
     return Fixture(brush.tool, column, row, int(brush.diameter), 1, *sand)
-
-
-def marks(fixtures, view, px):
-    """Return the Marks of fixtures seen through `view`: a lid with a handle is a tap, a basin with a foot a drain.
-
-    px: what a size at scale 1 is in pixels of the screen.
-    """
-    return tuple(_symbol(each, view, px) for each in fixtures)
-
-
-def _symbol(fixture, view, px):
-    left, top, right, bottom = fixture.box
-    (x0, y0), (x1, y1) = view.pixel(left, top), view.pixel(right, bottom)
-    middle, half = (x0 + x1) / 2, max(x1 - x0, px(LEAST)) / 2
-    x0, x1, lip = middle - half, middle + half - 1, min(half, max(px(2), y1 - y0))
-    far, near, way = (y0 - px(2), y0 + lip, -px(STEM)) if fixture.kind == TAP else (y1 + px(1), y1 - lip, px(STEM))
-    stem, handle = (middle, far + way), min(half, px(STEM))
-    points = [(x0, near), (x0, far), (middle, far), stem, (middle - handle, stem[1]), (middle + handle, stem[1])]
-    points += [stem, (middle, far), (x1, far), (x1, near)]
-    colour = look.BRIGHT_ACCENT if fixture.kind == TAP else look.RING
-    return Mark(tuple((math.floor(x), math.floor(y)) for x, y in points), colour, closed=False)
 
 
 def _is_near(fixture, place):

@@ -27,6 +27,11 @@ class Rewind:
         self.held = event.type == pygame.KEYDOWN
         return True
 
+    @property
+    def words(self):
+        """What the status line says of it, or ""."""
+        return "Time runs back" if self.held else ""
+
     def let_go(self):
         """Let time run forward again."""
         self.held = self._fast = False

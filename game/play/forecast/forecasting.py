@@ -27,10 +27,10 @@ class Subject(NamedTuple):
 class Forecasting:
     """Where the sand will be: the request, the latest forecast, and its heatmap and legend over the sand."""
 
-    def __init__(self, sessions, display, pointer, thread=None):
+    def __init__(self, sessions, display, pointer):
         self._sessions, self._display = sessions, display
         self.legend = Legend(sessions, display, pointer)
-        self.thread = thread or ForecastThread()
+        self.thread = ForecastThread()
         self.shown = False
         self.ahead = parameters.AHEAD.default  # iterations
         self.answer = None  # the Forecast that is shown
@@ -47,7 +47,7 @@ class Forecasting:
     def close(self):
         """Request nothing more and take the forecast away; return when the thread has ended."""
         self.thread.close()
-        self.answer = self._requested = self._display.stage.veil = None
+        self.answer = self._requested = self._display.stage.heatmap = None
         self._display.refresh()
 
     def update(self, now_s):
@@ -101,5 +101,5 @@ class Forecasting:
             self.stale = now_s - self._current_s > STALE_S
         self.answer = answer
         if (self.answer, self.stale) != before:
-            self._display.stage.veil = answer and HeatmapOverlay(request.crop.box, answer.levels, self.stale)
+            self._display.stage.heatmap = answer and HeatmapOverlay(request.crop.box, answer.levels, self.stale)
             self._display.refresh()

@@ -17,7 +17,10 @@ LEAST = 6  # tiles that a page has room for: fewer are no larger
 PICTURE = 0.72  # height of a picture, as a share of its width
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 ENTERS = pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE
-GOES_ON = {"toggle_help", "show_scenes", "open_scenes", "toggle_fullscreen", "toggle_sound", "shoot_window"}
+GOES_ON = {
+    *("view.toggle_help", "view.toggle_fullscreen", "view.toggle_sound"),
+    *("files.show_scenes", "files.open_scenes", "files.shoot_window"),
+}
 POINTING = pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION, pygame.MOUSEWHEEL
 
 

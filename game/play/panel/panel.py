@@ -47,11 +47,11 @@ class Panel:
             ui.text(scene.notice, dim=True)
         ui.row(3)
         if ui.button("Gallery", key="F2", tip="All scenes at once, running, with a sentence on each"):
-            commands.show_scenes()
+            commands.files.show_scenes()
         if ui.button("Save", key="Ctrl+S", tip="Saves sand, walls and settings as one picture"):
-            commands.save()
+            commands.files.save()
         if ui.button("Open", key="Ctrl+O", tip="Shows the saved scenes; the one opened replaces this sand"):
-            commands.open_scenes()
+            commands.files.open_scenes()
 
     def _time(self, toy):
         ui, session, commands = self.ui, toy.sessions.now, toy.commands
@@ -63,25 +63,25 @@ class Panel:
         ui.row(2)
         label = "Go on" if session.paused else "Pause"
         if ui.button(label, key="Space", name="Pause", tip="Holds the sand where it is, and lets it go on"):
-            commands.pause()
+            commands.time.pause()
         if ui.button("Flip", key="F", tip="Turns the glass over"):
-            commands.flip()
+            commands.sand.flip()
         ui.row(2)
         tip = "Turns the table by a quarter, and the sand falls to another side"
         if ui.button("Turn left", key="Ctrl+F", tip=tip):
-            commands.turn("3")
+            commands.sand.turn("3")
         if ui.button("Turn right", key="Shift+F", tip=tip):
-            commands.turn("1")
+            commands.sand.turn("1")
         ui.row(2)
         if ui.button("Undo", key="Ctrl+Z", tip="Takes back the last act; the sand is as it would have been without"):
-            commands.undo()
+            commands.time.undo()
         if ui.button("Redo", key="Ctrl+Y", tip="Brings back what was undone, or the future that was left"):
-            commands.redo()
+            commands.time.redo()
         ui.row(2)
         if ui.button("Restart", key="R", tip="Starts the scene again; friction and speed stay as they are set"):
-            commands.restart()
+            commands.sand.restart()
         if ui.button("Clear", key="C", tip="Takes all sand away and leaves the walls"):
-            commands.clear()
+            commands.sand.clear()
         self._ahead(toy)
 
     def _ahead(self, toy):
@@ -89,14 +89,14 @@ class Panel:
         ui, commands = self.ui, toy.commands
         ui.row(2)
         if ui.button("Step", key=".", tip="Lets the sand move by one iteration"):
-            commands.step()
+            commands.time.step()
         ui.button(FAST, key="Right", tip="Hold it: time goes as fast as the frames can hold")
         toy.ahead.hold(ui.focus.held == FAST)
         ui.row(2)
         if ui.button("Settle", key="End", tip="Runs until nothing can move any more"):
-            commands.settle()
+            commands.time.settle()
         if ui.button("Flow", key="Shift+Right", tip="Runs until a grain next passes the neck"):
-            commands.await_flow()
+            commands.time.await_flow()
 
     def _window(self, toy):
         ui = self.ui
@@ -104,7 +104,7 @@ class Panel:
         toy.hiss.show(ui)
         ui.row(2)
         if ui.button("Full screen", key="F11", tip="Fills the screen, or goes back to the window"):
-            toy.commands.toggle_fullscreen()
+            toy.commands.view.toggle_fullscreen()
         if ui.button("Keys", key="F1", tip="Every key on one page"):
-            toy.commands.toggle_help()
+            toy.commands.view.toggle_help()
         window_section.show(ui, toy.settings)

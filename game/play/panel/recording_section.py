@@ -18,13 +18,13 @@ class PastFold:
             return
         commands = toy.commands
         tip = "Undo also goes back to the moment before the act, instead of leaving the time as it is"
-        toy.undo_goes_back = ui.toggle("Undo goes back in time", toy.undo_goes_back, tip=tip)
+        commands.time.undo_goes_back = ui.toggle("Undo goes back in time", commands.time.undo_goes_back, tip=tip)
         ui.row(2)
         label = "End recording" if toy.recorder.going_on else "Record"
         if ui.button(label, key="G", name="Record", tip="Records what follows as a GIF"):
-            commands.record()
+            commands.files.record()
         if ui.button("Last 10 s", key="Shift+G", tip="Records the last ten seconds as a GIF; the sand goes on"):
-            commands.record_past()
+            commands.files.record_past()
         self._demo(ui, toy)
         if toy.sessions.can_leave and ui.button("Back to my sand", tip="Leaves this replay"):
             toy.sessions.leave()

@@ -18,7 +18,7 @@ def show(ui, toy):
     comparing = isinstance(toy.sessions.now, Comparison)
     tip = "The sand as it is under Margolus, Paper and Balanced; what is done to one is done to all"
     if ui.button("Back to one schedule" if comparing else "Three schedules", key="Shift+H", name="Compare", tip=tip):
-        toy.commands.compare()
+        toy.commands.sand.compare()
     if comparing:
         ui.text(
             "Each world keeps its own schedule. Replays, saving, plots and forecast follow the bright title.",
@@ -26,7 +26,7 @@ def show(ui, toy):
         )
     tip = "Flow and filling at a row, the pile below it, frame times, and the audit of the grains  (L)"
     if ui.toggle("Plots", plots.shown, tip=tip) != plots.shown:
-        toy.commands.toggle_plots()
+        toy.commands.view.toggle_plots()
     if plots.shown:
         height = toy.sessions.now.world.shape[0]
         tip = "The row that parts above from below: the neck of a glass, else the middle, unless you set it"

@@ -26,6 +26,10 @@ class TimerFold:
     def __init__(self):
         self.open = False
 
+    def unfold(self):
+        """Show the rows."""
+        self.open = True
+
     def lay_out(self, ui, toy):
         """Show the rows and obey what was done to them."""
         timer = toy.timer
@@ -46,7 +50,7 @@ class TimerFold:
         ui.row(2)
         label = "Stop" if timer.state == RUNNING else "Start"
         if ui.button(label, key="T", name="Timer start", tip="Starts the timer, or stops it"):
-            toy.commands.toggle_timer()
+            toy.commands.time.toggle_timer()
         if ui.button("A glass for it", tip=f"Puts a glass that suits {spell(timer.wanted_s)} in place of this scene"):
             toy.sessions.open_scene(scene_of(glass_for(timer.wanted_s)), toy.sessions.now.seed)
         tip = "A soft sound when the last grain has fallen"

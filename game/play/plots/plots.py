@@ -68,7 +68,7 @@ class Plots:
         self._look_for_room()
         if not self.shown:
             return
-        self._slowest_ns = max(self._slowest_ns, self._toy.stepping.frame_ns)
+        self._slowest_ns = max(self._slowest_ns, self._toy.frame_stats.frame_ns)
         fits = self._watch and (self._watch.session, self._watch.row) == (self._toy.sessions.now, self.measured_row)
         fits = fits and len(self._watch.heights) == self._toy.sessions.now.world.shape[1]
         if fits and now_s < self._next_s:

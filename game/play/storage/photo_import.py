@@ -32,6 +32,11 @@ class PhotoImport:
         """The controls."""
         return self._card.ui
 
+    def let_go(self):
+        """Let go of the control that is held."""
+        if self.shown:
+            self.ui.let_go()
+
     def show(self, photo):
         """Open the card with a Photo."""
         self._photo, self._threshold, self._in_colours = photo, THRESHOLD.default, True

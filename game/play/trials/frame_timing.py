@@ -28,12 +28,17 @@ WARM_UP = 5  # frames before the count: the first ones draw everything and fill 
 STAGES = {  # what each stage is made of; the rest of a frame is "other"
     "stepping": lambda toy: [(toy.sessions.now, "frame")],
     "drawing": lambda toy: [(toy.window, "paint")],
-    "panel": lambda toy: [(toy.panel, "lay_out"), (toy.panel.ui, "end"), (toy.hud, "drawing"), (toy.hud, "count")],
+    "panel": lambda toy: [(toy.panel, "lay_out"), (toy.panel.ui, "end"), (toy.hud, "drawing"), (toy.hud, "update")],
     "present": lambda toy: [(toy.window, "show")],
 }
 
 
-SHOWN = {"forecast": "toggle_forecast", "plots": "toggle_plots", "schedules": "compare"}  # by which command
+# what can be shown besides the sand, by which command
+SHOWN = {
+    "forecast": "view.toggle_forecast",
+    "plots": "view.toggle_plots",
+    "schedules": "sand.compare",
+}
 
 
 def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(), cell=None):
@@ -52,7 +57,7 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
     toy.settings["smooth_streams"] = smooth
     toy.sessions.now.clock.speed = iterations * loop.FRAMES_PER_SECOND
     for name in shown:
-        getattr(toy.commands, SHOWN[name])()
+        toy.commands.give(SHOWN[name])
     spent = Counter()
     _watch(toy, spent)
     played = []  # each frame's nanoseconds by stage

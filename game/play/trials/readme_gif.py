@@ -9,8 +9,8 @@ import sys
 import numpy as np
 
 from game.core.draw.cells import AIR
-from game.play.storage.gif_writer import Gif
-from game.play.view.turn_animation import TURN_S, Turn
+from game.play.storage.gif_writer import GifWriter
+from game.play.view.turn_animation import TURN_S, TurnAnimation
 from game.world.files.atomic import FileError
 from game.world.looks.motion_samples import MotionSamples
 from game.world.looks.painter import Painter
@@ -70,7 +70,7 @@ class Stage:
     def turned(self, after_s):
         """Return a frame of the picture on its way round."""
         pixels, side = self._pixels.copy(), len(self._pixels)
-        Turn(self._pixels, 0.0).draw(pixels, self._air, (0, 0, side, side), after_s)
+        TurnAnimation(self._pixels, 0.0).draw(pixels, self._air, (0, 0, side, side), after_s)
         return pixels
 
 
@@ -83,7 +83,7 @@ def make(path):
     """Write the portrait to a GIF; raise FileError where that fails."""
     film = list(frames())
     colours = np.unique(np.concatenate([np.unique(pixels) for pixels, _ in film]))
-    gif = Gif(
+    gif = GifWriter(
         path, np.stack([colours >> 16 & 255, colours >> 8 & 255, colours & 255], axis=-1).astype(np.uint8).tobytes()
     )
     for pixels, ms in film:

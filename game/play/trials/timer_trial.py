@@ -122,7 +122,7 @@ def _acts(trial, toy, draw):
         for _ in range(3):
             acts.append((at(0.1, 0.9), lambda: _stroke(toy, draw)))
     if trial.flips:
-        acts.append((at(0.3, 0.7), toy.commands.flip))
+        acts.append((at(0.3, 0.7), toy.commands.sand.flip))
     if trial.changes:
         acts.append((at(0.2, 0.5), lambda: toy.sessions.do(SetRule(Rule.with_p(draw.uniform(0.3, 1.0), "balanced")))))
         acts.append((at(0.5, 0.6), lambda: toy.sessions.do(Load(scene_of(glass_for(trial.seconds * 0.8)), 7))))

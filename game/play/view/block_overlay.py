@@ -19,11 +19,11 @@ SLOW = 8  # iterations per second: slow enough to follow
 SMOOTHING = 4  # sprites are drawn this many times larger and shrunk
 
 
-class Blocks:
+class BlockOverlay:
     """Shown while it is on, cells are large, and time stands still or goes slowly."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, sessions, display, notices):
+        self._sessions, self._display, self._notices = sessions, display, notices
         self.on = False
         self._known = None  # what the events below are for: world, iteration, stamp, rule, view
         # Events: what the coming iteration can bring; what came about in the last one, and what chance refused there
@@ -32,26 +32,22 @@ class Blocks:
     def toggle(self):
         """Show the blocks, or hide them; if they cannot be seen now, say why."""
         self.on = not self.on
-        if self.on and self._toy.display.stage.view.cell < LEAST_CELL:
+        if self.on and self._display.stage.view.cell < LEAST_CELL:
             words = "Zoom in until grains are large, and their blocks will show: Ctrl+wheel, or Ctrl and +"
-            self._toy.notices.say(words, holds=lambda: self.on and not self.shown)
+            self._notices.say(words, holds=lambda: self.on and not self.shown)
         elif self.on and not self._is_calm:
             words = "Blocks show while time stands still: Space, then . for one iteration"
-            self._toy.notices.say(words, holds=lambda: self.on and not self.shown)
+            self._notices.say(words, holds=lambda: self.on and not self.shown)
 
     @property
     def shown(self):
         """Whether they are to be drawn."""
-        return (
-            self.on
-            and self._is_calm
-            and self._toy.display.stage.view.cell >= LEAST_CELL
-            and not self._toy.display.stage.turn
-        )
+        stage = self._display.stage
+        return self.on and self._is_calm and stage.view.cell >= LEAST_CELL and not stage.turn
 
     @property
     def _is_calm(self):
-        session = self._toy.sessions.now
+        session = self._sessions.now
         return session.paused or session.clock.speed <= SLOW
 
     def prepare(self):
@@ -64,13 +60,13 @@ class Blocks:
             self._look(before, known)
         else:
             self.coming = self.trails = self.stays = None
-        self._toy.display.stage.blocks = self if known else None
-        self._toy.display.stage.refresh()
+        self._display.stage.blocks = self if known else None
+        self._display.stage.refresh()
 
     def draw(self, surface, theme, view):
         """Draw them over the cells in sight, as far as the surface's clip goes."""
         cell, clip = view.cell, surface.get_clip()
-        surface.set_clip(clip.clip(self._toy.display.stage.area))
+        surface.set_clip(clip.clip(self._display.stage.area))
         _draw_lines(surface, view, offset(self._known[0], self._known[3]), theme)
         inks = tuple(theme.rgb(role) for role in (look.SUNKEN, look.DIM, look.BRIGHT_HANDLE))
         for events, sprite_of in ((self.trails, _trail), (self.stays, _stay), (self.coming, _arrow)):
@@ -81,7 +77,7 @@ class Blocks:
         surface.set_clip(clip)
 
     def _present(self):
-        session, stage = self._toy.sessions.now, self._toy.display.stage
+        session, stage = self._sessions.now, self._display.stage
         world = session.world
         return world, world.iteration, world.activity.stamp, session.rule, stage.view
 

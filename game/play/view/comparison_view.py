@@ -1,4 +1,4 @@
-"""Panes: a stage for each world of a comparison, side by side, of which the leading one is the stage of all tools."""
+"""The comparison view: a pane for each world of a comparison, side by side; tools work on the leading one."""
 
 from dataclasses import replace
 
@@ -6,7 +6,7 @@ import pygame
 
 from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.view.sand_view import Stage
+from game.play.view.sand_view import SandView
 from game.world.sand.measure import grains_above
 
 TITLE = 26  # height of a title at scale 1
@@ -19,23 +19,22 @@ FORMS = (  # of a title, from the fullest: size of its name, words of its count
 REFRESH_S = 0.25  # the grains left are counted so often
 
 
-class Panes:
-    """Looks like a Stage to the toy; what is shown and done in one pane is shown and done in all."""
+class ComparisonView:
+    """A SandView for each world; what is shown in one pane is shown in all."""
 
     def __init__(self, window, comparison, measured_row):
         """`measured_row()` returns the row above which the grains left are counted."""
         self._window, self._comparison, self._measured_row = window, comparison, measured_row
         self._theme = None
-        self._stages = {each: Stage(window) for each in comparison.sessions}
-        self._lead = self._stages[comparison.schedule]
+        self._views = {each: SandView(window) for each in comparison.sessions}
+        self._lead = self._views[comparison.schedule]
         self._shifts = {}  # of each pane from the leading one, in pixels
         self._titles, self._drawn, self._counted_s = {}, {}, None
         self._left = {}  # the grains above the neck in each world
-        self._held = None  # the shift of the pane in which a button is held
         self._gaps, self._gapped = [], False  # between panes; whether they are drawn
         self._overlay, self._covered = None, []  # as last drawn, and the rects that it covers
 
-    # --- as a stage ---
+    # --- as a SandView ---
 
     area = property(lambda self: self._lead.area)
     view = property(lambda self: self._lead.view)
@@ -43,13 +42,18 @@ class Panes:
     turn = property(lambda self: self._lead.turn)
 
     @property
-    def veil(self):
-        """What lies over the leading world."""
-        return self._lead.veil
+    def panes(self):
+        """The parts of the window that show a lattice."""
+        return tuple(each.area for each in self._views.values())
 
-    @veil.setter
-    def veil(self, veil):
-        self._lead.veil = veil
+    @property
+    def heatmap(self):
+        """What lies over the leading world."""
+        return self._lead.heatmap
+
+    @heatmap.setter
+    def heatmap(self, heatmap):
+        self._lead.heatmap = heatmap
 
     @property
     def blocks(self):
@@ -63,43 +67,43 @@ class Panes:
     def fit(self, shape, area, margin, theme, walls):
         """Show lattices of `shape` beside or below one another in `area`, whichever leaves larger cells."""
         self._theme, high, gap = theme, theme.px(TITLE), theme.px(GAP)
-        ways = [_split(area, len(self._stages), across, high, gap) for across in (True, False)]
+        ways = [_split(area, len(self._views), across, high, gap) for across in (True, False)]
         rects = max(ways, key=lambda rects: min(rects[0].height / shape[0], rects[0].width / shape[1]))
-        for (schedule, stage), rect in zip(self._stages.items(), rects, strict=True):
-            stage.fit(shape, rect, margin, theme, walls)
+        for (schedule, pane), rect in zip(self._views.items(), rects, strict=True):
+            pane.fit(shape, rect, margin, theme, walls)
             self._titles[schedule] = pygame.Rect(rect.x, rect.y - high, rect.width, high)
         lead = self._lead.area
-        self._shifts = {each: (s.area.x - lead.x, s.area.y - lead.y) for each, s in self._stages.items()}
+        self._shifts = {each: (s.area.x - lead.x, s.area.y - lead.y) for each, s in self._views.items()}
         self._gaps = _gaps([*self._titles.values()], rects, gap)
         self._drawn, self._gapped = {}, False
 
     def show(self, view):
         """Show the lattices through another view."""
-        for schedule, stage in self._stages.items():
-            stage.show(_moved(view, *self._shifts[schedule]))
+        for schedule, pane in self._views.items():
+            pane.show(_moved(view, *self._shifts[schedule]))
 
     def refresh(self):
         """Draw everything next time."""
         self._drawn, self._gapped, self._overlay, self._covered = {}, False, None, []
-        for stage in self._stages.values():
-            stage.refresh()
+        for pane in self._views.values():
+            pane.refresh()
 
     def start_turn(self, now_s, quarters):
         """Let the pictures go round by so many quarters, from now on."""
-        for stage in self._stages.values():
-            stage.start_turn(now_s, quarters)
+        for pane in self._views.values():
+            pane.start_turn(now_s, quarters)
 
     def end_turn(self):
         """Show the worlds again as they are."""
-        for stage in self._stages.values():
-            stage.end_turn()
+        for pane in self._views.values():
+            pane.end_turn()
 
     def draw(self, world, marks, overlay, now_s, streams=None):
-        """Bring all panes up to date and return the rects of the window that changed; see `Stage.draw`."""
+        """Bring all panes up to date and return the rects of the window that changed; see `SandView.draw`."""
         if self._overlay and not overlay:
             self.refresh()
         panes = [
-            (self._stages[schedule], session.world, self._marks_in(schedule, marks))
+            (self._views[schedule], session.world, self._marks_in(schedule, marks))
             for schedule, session in self._comparison.sessions.items()
         ]
         self._count(now_s)
@@ -109,10 +113,9 @@ class Panes:
             self._drawn = {each: t for each, t in self._drawn.items() if self._titles[each].collidelist(under) < 0}
             self._gapped = self._gapped and all(gap.collidelist(under) < 0 for gap in self._gaps)
         rects = []
-        for stage, world, here in panes:
-            rects += stage.draw(
-                world, here, None, now_s, under=[rect for rect in under if rect.colliderect(stage.area)]
-            )
+        for pane, world, here in panes:
+            damaged = [rect for rect in under if rect.colliderect(pane.area)]
+            rects += pane.draw(world, here, None, now_s, under=damaged)
         rects += self._draw_titles() + self._draw_gaps()
         before, self._overlay = self._overlay, overlay
         if overlay and (rects or overlay is not before):
@@ -124,37 +127,11 @@ class Panes:
         x, y = self._shifts[schedule]
         return tuple(each._replace(points=tuple((a + x, b + y) for a, b in each.points)) for each in marks)
 
-    def own(self, event):
-        """Return an event of the pointer over any pane as one over the leading pane."""
-        if event.type not in (pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
-            return event
-        if event.type == pygame.MOUSEBUTTONDOWN and self._held is None:
-            self._held = self._shift_at(event.pos)
-        moved = pygame.event.Event(event.type, {**event.dict, "pos": self.here(event.pos)})
-        if event.type == pygame.MOUSEBUTTONUP:
-            self._held = None
-        return moved
-
-    def let_go(self):
-        """Forget in which pane a button is held."""
-        self._held = None
-
-    def here(self, pos):
-        """Return the place in the leading pane that a place in the window stands for."""
-        if pos is None:
-            return None
-        x, y = self._held or self._shift_at(pos)
-        return pos[0] - x, pos[1] - y
-
-    def _shift_at(self, pos):
-        inside = (each for each, stage in self._stages.items() if stage.area.collidepoint(pos))
-        return self._shifts.get(next(inside, None), (0, 0))
-
     # --- titles ---
 
     def titles(self):
         """Return what is written above each world."""
-        return {each: (each.capitalize(), f"{self._left.get(each, 0):,} left above") for each in self._stages}
+        return {each: (each.capitalize(), f"{self._left.get(each, 0):,} left above") for each in self._views}
 
     def _count(self, now_s):
         """Count the grains that are left above, if it is time to."""
@@ -208,8 +185,8 @@ def _width(theme, name, size, left):
     return theme.width(name, size) + (theme.px(PAD) + theme.width(left, look.SMALL) if left else 0)
 
 
-def _differs(stage, world, marks):
-    return stage.turn is not None or stage.differs(world, marks)
+def _differs(pane, world, marks):
+    return pane.turn is not None or pane.differs(world, marks)
 
 
 def _split(area, number, across, high, gap):

@@ -1,4 +1,4 @@
-"""A question: asked calmly over the sand, which goes on meanwhile; it can be answered, or left alone."""
+"""The dialog: a question over the sand, which goes on meanwhile; it can be answered, or left alone."""
 
 from typing import NamedTuple
 
@@ -21,11 +21,11 @@ class Answer(NamedTuple):
     tip: str = ""
 
 
-class Question:
+class Dialog:
     """The question that is open, if any."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, display):
+        self._display = display
         self._card = None
         self._title = self._text = ""
         self._answers = ()
@@ -40,15 +40,20 @@ class Question:
         """The controls."""
         return self._card.ui
 
+    def let_go(self):
+        """Let go of the button that is held."""
+        if self.shown:
+            self.ui.let_go()
+
     def ask(self, title, text, answers):
         """Open a question in place of the one before."""
         self._title, self._text, self._answers = title, text, answers
-        self._card = Card(self._toy.display.theme, WIDTH)
-        self._toy.display.refresh()
+        self._card = Card(self._display.theme, WIDTH)
+        self._display.refresh()
 
     def handle_events(self, events, now_s, mouse_pos):
         """Take the answer, if one is among the events, and return the events that are not the question's."""
-        rest = self._card.lay_out(self._toy.display, self._toy.display.theme.px(TOP), events, now_s, mouse_pos)
+        rest = self._card.lay_out(self._display, self._display.theme.px(TOP), events, now_s, mouse_pos)
         ui, chosen = self.ui, None
         ui.heading(self._title)
         ui.text(self._text)
@@ -73,6 +78,6 @@ class Question:
 
     def _close(self, answer):
         self._card = None
-        self._toy.display.refresh()
+        self._display.refresh()
         if answer.act:
             answer.act()

@@ -1,11 +1,47 @@
 """The display: how the window is laid out, what its theme is, and the view of the sand in it."""
 
+from typing import Protocol
+
+import pygame
+
 from game.play.ui import theme as look
-from game.play.view.comparison_view import Panes
-from game.play.view.sand_view import Stage
+from game.play.view.comparison_view import ComparisonView
+from game.play.view.sand_view import SandView
+from game.play.view.turn_animation import TurnAnimation
 from game.play.window.layout import MARGIN, Layout, fitting_scale
 from game.world.looks.themes import THEMES
+from game.world.looks.view import View
 from game.world.sessions.comparison import Comparison
+
+
+class LatticeView(Protocol):
+    """The view of one lattice, or of several that are shown in the same way: a SandView or a ComparisonView."""
+
+    area: pygame.Rect  # of the pane that leads
+    panes: tuple  # the parts of the window, Rects, that show a lattice
+    view: View  # through which that pane shows its lattice
+    whole: View  # … and all of it
+    turn: TurnAnimation | None
+    heatmap: object  # the HeatmapOverlay over the leading lattice, or None
+    blocks: object  # the BlockOverlay over it, or None
+
+    def fit(self, shape, area, margin, theme, walls):
+        """Show lattices of `shape` in `area` of the window."""
+
+    def show(self, view):
+        """Show the lattices through another view."""
+
+    def refresh(self):
+        """Draw everything next time."""
+
+    def start_turn(self, now_s, quarters):
+        """Let the pictures go round by so many quarters."""
+
+    def end_turn(self):
+        """Show the worlds again as they are."""
+
+    def draw(self, world, marks, overlay, now_s, streams=None):
+        """Bring the window up to date and return the rects that changed."""
 
 
 class Display:
@@ -16,10 +52,11 @@ class Display:
         self.window, self._settings, self._measured_row = window, settings, measured_row
         self.theme = look.Theme(settings["ui_scale"], self.colours)
         self.layout = None
-        self.stage = Stage(window)
+        self.stage: LatticeView = SandView(window)
         self.panel_shown = True
         self.plots_shown = False
         self.pages = ()  # what takes the place of everything else in the window while it is open
+        self.now_s = 0.0  # when this frame is
         self.stale = False  # the view of the sand has to be drawn anew
         self._session = None  # whose worlds the view shows
         self._looks = None  # what everything was laid out for
@@ -60,8 +97,8 @@ class Display:
 
     def _stage_of(self, session):
         if isinstance(session, Comparison):
-            return Panes(self.window, session, self._measured_row)
-        return Stage(self.window)
+            return ComparisonView(self.window, session, self._measured_row)
+        return SandView(self.window)
 
     def _renew_theme(self):
         """Keep the colours and the UI scale that were asked for, as far as the window leaves room for it."""

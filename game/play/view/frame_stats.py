@@ -1,4 +1,4 @@
-"""The gauge: what frames took and what came of it, as means over a moment, so that they can be read."""
+"""What frames took and what came of it, as means over a moment, so that they can be read."""
 
 import time
 from typing import NamedTuple
@@ -10,7 +10,7 @@ FRAME_NS = 10**9 / 60  # from one frame to the next
 FULL = BUDGET_NS / FRAME_NS  # of all time, what the sand and the window may take
 
 
-class Frame(NamedTuple):
+class FrameTime(NamedTuple):
     """What one frame took, in ns by the wall and of this thread's own work, and its iterations."""
 
     work_ns: int
@@ -36,26 +36,28 @@ class Reading(NamedTuple):
         return self.done < self.due and not self.full
 
 
-class Gauge:
-    """Gathers frames into readings."""
+class FrameStats:
+    """Gathers frames into readings, each with the books of the grains at that moment."""
 
     def __init__(self):
+        self.frame_ns = 0  # of work, in the latest frame
         self.reading = None  # the latest
+        self.account, self.grains = None, ()  # the books, and the grains of each colour that were counted
         self._frames, self._since_s = [], None
 
-    def count(self, frame, now_s):
-        """Take in one Frame at time now_s; return whether there is a new reading."""
+    def count(self, frame, session, now_s):
+        """Take in the FrameTime of a frame of `session` at time now_s."""
+        self.frame_ns = frame.work_ns
         self._frames.append(frame)
         self._since_s = now_s if self._since_s is None else self._since_s
-        if now_s - self._since_s < REFRESH_S:
-            return False
-        self.reading = read(self._frames, now_s - self._since_s)
-        self._frames, self._since_s = [], now_s
-        return True
+        if now_s - self._since_s >= REFRESH_S:
+            self.reading = read(self._frames, now_s - self._since_s)
+            self.account, self.grains = session.account, session.world.grains_by_colour
+            self._frames, self._since_s = [], now_s
 
 
 def read(frames, seconds):
-    """Return the Reading of frames that were shown within so many seconds."""
+    """Return the Reading of FrameTimes that were shown within so many seconds."""
     work_ns, own_ns, stepping_ns, due, done = (sum(column) for column in zip(*frames, strict=True))
     # a frame that comes late has more due than it can hold, and yet all of it may be little work
     needed_ns = own_ns - stepping_ns + stepping_ns * due / max(done, 1)

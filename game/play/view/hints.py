@@ -20,11 +20,7 @@ class Hint(NamedTuple):
 
 
 HINTS = (
-    Hint(
-        "paint",
-        8.0,
-        "Press and drag to pour sand; the right button takes it away.",
-    ),
+    Hint("paint", 8.0, "Press and drag to pour sand; the right button takes it away."),
     Hint("flip", 0.0, "All has come to rest. F turns the glass over."),
     Hint("p", 40.0, "Drag p in the panel: with less of it the sand is rougher, and its piles are steeper."),
 )
@@ -33,14 +29,14 @@ HINTS = (
 class Hints:
     """Looks for the moment of those hints that are still to be shown."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, settings, sessions, display, notices):
+        self._settings, self._sessions, self._display, self._notices = settings, sessions, display, notices
         self._start_s = self._still_since_s = self._last_s = None
         self._before = None, None  # the timeline and its line at the last look
 
     def update(self, now_s):
         """Show a hint, if it is the moment for one."""
-        left = [hint for hint in HINTS if hint.name not in self._toy.settings["hints_seen"]]
+        left = [hint for hint in HINTS if hint.name not in self._settings["hints_seen"]]
         if not left:
             return
         if self._start_s is None:
@@ -52,14 +48,14 @@ class Hints:
                 self._remember(hint)
         for hint in left:
             if hint.name != done and self._is_moment(hint, now_s):
-                self._toy.notices.say(hint.words)
+                self._notices.say(hint.words)
                 self._last_s = now_s
                 self._remember(hint)
                 return
 
     def _watch(self, now_s):
         """Note since when the sand has been at rest."""
-        if not self._toy.sessions.now.settled:
+        if not self._sessions.now.settled:
             self._still_since_s = None
         elif self._still_since_s is None:
             self._still_since_s = now_s
@@ -69,7 +65,7 @@ class Hints:
 
         What was done already in a session that has just been opened, such as a replay, is not the player's doing.
         """
-        timeline = self._toy.sessions.now.timeline
+        timeline = self._sessions.now.timeline
         before, self._before = self._before, (timeline, timeline.history.line)
         if before[0] is not timeline or before[1] is timeline.history.line:
             return None
@@ -83,14 +79,14 @@ class Hints:
         return None
 
     def _is_moment(self, hint, now_s):
-        toy = self._toy
-        if toy.display.page or toy.notices.shown or toy.sessions.can_leave or now_s - self._start_s < hint.after_s:
+        if self._display.page or self._notices.shown or self._sessions.can_leave:
+            return False
+        if now_s - self._start_s < hint.after_s:
             return False
         if self._last_s is not None and now_s - self._last_s < APART_S:
             return False
         rests = self._still_since_s is not None and now_s - self._still_since_s > STILL_S
-        return hint.name != "flip" or (rests and toy.sessions.now.world.grains > 0)
+        return hint.name != "flip" or (rests and self._sessions.now.world.grains > 0)
 
     def _remember(self, hint):
-        settings = self._toy.settings
-        settings["hints_seen"] = (*settings["hints_seen"], hint.name)
+        self._settings["hints_seen"] = (*self._settings["hints_seen"], hint.name)

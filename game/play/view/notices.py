@@ -55,10 +55,6 @@ class Notices:
             return True
         return self._age() > self._stay()
 
-    def handle_events(self, events, now_s, mouse_pos):
-        """Leave all events to others: a notice never stands in the way."""
-        return events
-
     def draw(self, surface, theme, area):
         """Draw the line above the lower edge of `area`; return the rects that it covers."""
         text, trouble, _ = self._lines[0]

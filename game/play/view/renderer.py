@@ -1,80 +1,79 @@
-"""The screen: what is on the window, drawn anew only where it differs from what should be there."""
+"""The renderer: draws a frame on the window, only where it differs from what is there."""
 
-from game.play.controls import fixture_tool, tilt
+from typing import NamedTuple
+
 from game.play.ui import draw_list
+from game.play.view.outlines import fixture_marks, tilt_marks
+from game.world.sessions.session import Session
 
 
-class Screen:
-    """Draws the stage, the time bar, the HUD and the panel, and what is laid over the sand."""
+class Frame(NamedTuple):
+    """What a window shows."""
 
-    def __init__(self, toy):
-        self._toy = toy
-        self._hud_drawn = self._bar_drawn = None
-        self._lay_over = self._draw_over  # one object, which the stage knows again
+    now_s: float
+    page: object  # what takes the place of everything else, or None
+    session: Session
+    passing: bool  # its moment is passed too quickly to be worth a look
+    marks: tuple  # of the tools
+    overlays: tuple  # what is shown over the sand, the last on top
+    time_bar: list  # strokes
+    status_line: list  # strokes
+    plots: object
+    controls: object  # the Ui of the panel, or None
+
+
+class Renderer:
+    """Draws the sand, what lies over it, and everything beside it."""
+
+    def __init__(self, display):
+        self._display = display
+        self._bar = self._line = None  # the strokes as last drawn
+        self._overlays = ()
+        self._lay_over = self._draw_overlays  # one object, which the view knows again
 
     def forget(self):
-        """Draw the lines under the sand and the panel anew next time."""
-        self._hud_drawn = self._bar_drawn = None
-        self._toy.plots.forget()
-        self._toy.panel.ui.invalidate()
-        if self._toy.display.page:
-            self._toy.display.page.forget()
+        """Draw the lines under the sand anew next time."""
+        self._bar = self._line = None
 
-    def draw(self, now_s):
-        """Draw the parts of the window that differ from what is on it; return their rects."""
-        toy, layout, surface = self._toy, self._toy.display.layout, self._toy.display.window.surface
-        if toy.display.page:
-            return toy.display.page.draw(surface)
-        if toy.display.stale:
-            toy.display.stage.refresh()
-        toy.blocks.prepare()
-        rects = []
-        if toy.display.stale or not toy.stepping.passing(now_s):
-            streams = None if toy.sessions.now.paused else toy.sessions.now.streams
-            rects = toy.display.stage.draw(toy.sessions.now.world, self._marks(), self._overlay(), now_s, streams)
-        toy.display.stale = False
-        bar = toy.time_bar.drawing(toy.sessions.now)
-        if bar != self._bar_drawn:
-            draw_list.draw(surface, toy.display.theme, bar)
-            self._bar_drawn = bar
+    def draw(self, frame):
+        """Draw what differs from the Frame on the window; return the rects that changed."""
+        surface, theme, layout = self._display.window.surface, self._display.theme, self._display.layout
+        if frame.page:
+            return frame.page.draw(surface)
+        rects = self._draw_sand(frame)
+        if frame.time_bar != self._bar:
+            self._bar = frame.time_bar
+            draw_list.draw(surface, theme, self._bar)
             rects.append(layout.bar)
-        line = toy.hud.drawing(toy.display.theme, layout.hud, toy.sessions.now, self._said(), toy.timer.words)
-        if line != self._hud_drawn:
-            draw_list.draw(surface, toy.display.theme, line)
-            self._hud_drawn = line
+        if frame.status_line != self._line:
+            self._line = frame.status_line
+            draw_list.draw(surface, theme, self._line)
             rects.append(layout.hud)
-        rects += toy.plots.draw(surface)
-        if toy.display.panel_shown and toy.panel.ui.end(surface):
+        rects += frame.plots.draw(surface)
+        if frame.controls and frame.controls.end(surface):
             rects.append(layout.panel)
         return rects
 
-    def _said(self):
-        """Return what the HUD is to say first, or ""."""
-        toy, timeline = self._toy, self._toy.sessions.now.timeline
-        if toy.stepping.on_the_way:
-            return f"Computing the sand: {100 * timeline.moment.now // timeline.goal} %"
-        return toy.recorder.said or ("Time runs back" if toy.rewind.held else toy.ahead.words)
+    def _draw_sand(self, frame):
+        stale, self._display.stale = self._display.stale, False
+        if stale:
+            self._display.stage.refresh()
+        elif frame.passing:
+            return []
+        session, self._overlays = frame.session, frame.overlays
+        streams = None if session.paused else session.streams
+        overlay = self._lay_over if frame.overlays else None
+        return self._display.stage.draw(session.world, self._marks(frame), overlay, frame.now_s, streams)
 
-    def _overlay(self):
-        """Return what draws over the sand now, or None."""
-        toy = self._toy
-        return self._lay_over if any(each.shown for each in toy.overlays) else None
-
-    def _draw_over(self, surface):
-        """Draw all overlays and return the rects that they cover."""
-        toy, area = self._toy, self._toy.display.layout.sand
-        return [rect for each in toy.overlays if each.shown for rect in each.draw(surface, toy.display.theme, area)]
-
-    def _marks(self):
-        """Return the marks of the fixtures, of a table that leans, and of the tool over the sand."""
-        toy, view, pointer = self._toy, self._toy.display.stage.view, self._toy.hearing.pointer
-        if toy.display.stage.turn:
+    def _marks(self, frame):
+        """Return the marks of the tilted table, of its fixtures and of the tools."""
+        view, session = self._display.stage.view, frame.session
+        if self._display.stage.turn:
             return ()
-        marks = tilt.marks(toy.sessions.now.rule, view) + fixture_tool.marks(
-            toy.sessions.now.world.fixtures, view, toy.display.theme.px
-        )
-        if toy.camera.busy or toy.photo_import.shown:
-            return marks
-        if toy.cursor.on and not toy.brush.by_mouse:
-            return marks + toy.cursor.marks(view)
-        return marks + (toy.brush.marks(view.place(*pointer), view) if pointer else ())
+        fixtures = fixture_marks(session.world.fixtures, view, self._display.theme.px)
+        return tilt_marks(session.rule.bias, view) + fixtures + frame.marks
+
+    def _draw_overlays(self, surface):
+        """Draw what lies over the sand and return the rects that it covers."""
+        theme, area = self._display.theme, self._display.layout.sand
+        return [rect for each in self._overlays for rect in each.draw(surface, theme, area)]

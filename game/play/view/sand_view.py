@@ -1,24 +1,24 @@
-"""The stage: the sand's part of the window, with the turning glass, the tools' marks and what is laid over it."""
+"""The sand view: one lattice in its part of the window, with its marks, its overlays and its turns."""
 
 import pygame
 
-from game.play.view.turn_animation import Turn
+from game.play.view.turn_animation import TurnAnimation
 from game.world.looks import painter
 from game.world.looks.view import View
 
 
-class Stage:
+class SandView:
     """Keeps what it has drawn, and draws only what differs from that."""
 
     def __init__(self, window):
         self.window = window
         self.area = pygame.Rect(0, 0, 1, 1)
         self.view = self.turn = None
-        self.veil = self.blocks = None  # what lies over the sand, part of the picture of it
+        self.heatmap = self.blocks = None  # what lies over the sand, part of the picture of it
         self.whole = None  # the view of the whole lattice
         self._marks, self._overlay = (), None  # as last drawn
         self._covered = ()  # the rects that the overlay covers
-        self._bare = True  # nothing of the stage has been drawn yet
+        self._bare = True  # nothing has been drawn yet
 
     def fit(self, shape, area, margin, theme, walls):
         """Show a lattice of `shape` in `area` of the window, with a margin in pixels, its walls made of `walls`."""
@@ -29,22 +29,16 @@ class Stage:
         self._painter = painter.Painter(self.view, theme.colours, walls, self.window.map_rgb)
         self.refresh()
 
+    @property
+    def panes(self):
+        """The parts of the window that show a lattice."""
+        return (self.area,)
+
     def show(self, view):
         """Show the lattice through another view."""
         self.view = view
         self._painter.look_through(view)
         self.refresh()
-
-    def own(self, event):
-        """Return an event as it is meant for this stage: as it is."""
-        return event
-
-    def let_go(self):
-        """Let go of what is held: nothing is."""
-
-    def here(self, pos):
-        """Return the place on this stage that a place in the window stands for: itself."""
-        return pos
 
     def refresh(self):
         """Draw everything next time."""
@@ -53,12 +47,12 @@ class Stage:
         self._marks, self._covered, self._bare = (), (), True
 
     def start_turn(self, now_s, quarters):
-        """Let the picture on the stage go round by so many quarters, from now on."""
+        """Let the picture go round by so many quarters, from now on."""
         view, old = self.view, []
         shape = view.shape if quarters == 2 else view.shape[::-1]
         growth = View.fit(shape, *self._inner).cell / view.cell
         self.window.paint(lambda pixels: old.append(_cut(pixels, view).copy()))
-        self.turn = Turn(old[0], now_s, quarters, growth)
+        self.turn = TurnAnimation(old[0], now_s, quarters, growth)
 
     def end_turn(self):
         """Show the world again as it is."""
@@ -70,7 +64,7 @@ class Stage:
         return self._bare or marks != self._marks or self._painter.differs(world)
 
     def draw(self, world, marks, overlay, now_s, streams=None, under=()):
-        """Bring the stage up to date and return the rects of the window that changed.
+        """Bring the view up to date and return the rects of the window that changed.
 
         marks: a tuple of `Mark`. overlay: a function that draws over the sand on a surface and returns the rects that
         it covers, or None. streams: the MotionSamples to draw falling sand by, or None. under: rects to be drawn
@@ -105,8 +99,8 @@ class Stage:
         damage = [(rect.top, rect.bottom) for rect in damaged]
         drawn = []
         self.window.paint(lambda pixels: drawn.extend(self._painter.draw(world, pixels, damage, streams)))
-        if self.veil and drawn:
-            self.window.paint(lambda pixels: self.veil.draw(pixels, self.view, drawn, self.window.map_rgb))
+        if self.heatmap and drawn:
+            self.window.paint(lambda pixels: self.heatmap.draw(pixels, self.view, drawn, self.window.map_rgb))
         if self.blocks:
             self._draw_blocks(drawn)
         return drawn

@@ -1,4 +1,4 @@
-"""The figures: what the line under the sand leaves out, while the pointer rests on it, or until a click on it."""
+"""The stats card: what the status line leaves out, while the pointer rests on that line, or until a click on it."""
 
 import pygame
 
@@ -17,11 +17,11 @@ BUSY = "frames came late, for this computer was busy with something else"
 FULL = "the sand takes all the time that frames have"
 
 
-class Figures:
+class StatsCard:
     """The card in the lower left corner of the sand."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, sessions, display, stats):
+        self._sessions, self._display, self._stats = sessions, display, stats
         self.kept = False  # open without the pointer
         self._since_s = None  # since when the pointer rests on the line
         self._pointed = False  # for long enough
@@ -35,7 +35,7 @@ class Figures:
     @property
     def height(self):
         """How many pixels it takes of the sand's lower edge."""
-        theme = self._toy.display.theme
+        theme = self._display.theme
         if not self.shown:
             return 0
         return len(self._rows()) * theme.line_height(look.SMALL) + 2 * theme.px(PAD) + theme.px(AWAY)
@@ -46,7 +46,7 @@ class Figures:
 
     def follow(self, pointer, now_s):
         """Note where the pointer is, in the window."""
-        here = pointer is not None and self._toy.display.layout.hud.collidepoint(pointer)
+        here = pointer is not None and self._display.layout.hud.collidepoint(pointer)
         if not here:
             self._since_s, self._pointed = None, False
         elif self._since_s is None:
@@ -56,18 +56,14 @@ class Figures:
 
     def update(self, now_s):
         """Write the lines anew, if there are new figures or nobody wants any."""
-        wanted, reading = self.kept or self._pointed, self._toy.hud.gauge.reading
+        wanted, reading = self.kept or self._pointed, self._stats.reading
         if wanted and (not self.lines or reading is not self._reading):
             lines, self._reading = tuple(self._write(reading)), reading
         else:
             lines = self.lines if wanted else ()
         if lines != self.lines:
             self.lines = lines
-            self._toy.display.refresh()
-
-    def handle_events(self, events, now_s, mouse_pos):
-        """Leave all events to others."""
-        return events
+            self._display.refresh()
 
     def draw(self, surface, theme, area):
         """Draw the card; return the rects that it covers."""
@@ -83,26 +79,27 @@ class Figures:
 
     def _rows(self):
         """Return the lines broken to fit the sand's part of the window."""
-        theme = self._toy.display.theme
-        room = min(theme.px(WIDTH), self._toy.display.layout.sand.width - 2 * theme.px(AWAY)) - 2 * theme.px(PAD)
+        theme = self._display.theme
+        room = min(theme.px(WIDTH), self._display.layout.sand.width - 2 * theme.px(AWAY)) - 2 * theme.px(PAD)
         return [row for line in self.lines for row in theme.lines(line, look.SMALL, room)]
 
     def _write(self, reading):
-        session = self._toy.sessions.now
+        session = self._sessions.now
         if reading:
             work = f"{reading.frame_ms:.1f} of {BUDGET_NS / 1e6:.0f} ms of work each"
             yield f"{reading.frames_per_second:.0f} frames a second, {work}"
             yield _told(reading, session)
-            yield _books(self._toy.hud)
+            yield _books(self._stats)
         known = f" of {session.reached:,} that are known" if session.now < session.reached else ""
         yield f"Iteration {session.now:,}{known}"
         yield f"The past takes {session.past_bytes / MEGABYTE:.1f} of {session.memory_mb:,.0f} MB"
 
 
-def _books(hud):
-    """Return the books of the grains that the line tells of."""
-    books = " ".join(f"{sign} {grains:,} {word}".strip() for sign, word, grains in hud.account.lines)
-    return f"Grains: {books}" + ("" if hud.grains == hud.account.expected else f", but there are {hud.grains:,}")
+def _books(stats):
+    """Return the books of the grains at the latest reading."""
+    account, grains = stats.account, sum(stats.grains)
+    books = " ".join(f"{sign} {number:,} {word}".strip() for sign, word, number in account.lines)
+    return f"Grains: {books}" + ("" if grains == account.expected else f", but there are {grains:,}")
 
 
 def _told(reading, session):

@@ -1,32 +1,32 @@
-"""The HUD: one calm line under the sand that says how fast it runs and how many grains there are."""
+"""The status line: one calm line under the sand that says how fast it runs and how many grains there are."""
 
 import pygame
 
 from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.view.frame_stats import Gauge
 
 GAP = "    "
 KEY = "F1  all keys"
 NEAR = 0.05  # a speed that differs less from the one that is set is shown as that: the line keeps still
 
 
-class Hud:
-    """Gathers what frames took and says what matters of it; Figures tells the rest."""
+class StatusLine:
+    """Says what matters of the FrameStats; the StatsCard tells the rest."""
 
-    def __init__(self):
-        self.gauge = Gauge()
+    def __init__(self, stats):
+        self._stats = stats
+        self._written = None  # the Reading that the words are of
         self._pace = self._grains = ""
-        self.account, self.grains = None, 0  # the books and the grains at the latest reading
         self._alarm = False  # something is to be noticed
 
-    def count(self, frame, session, now_s):
-        """Take in one Frame of `session` at time now_s."""
-        if self.gauge.count(frame, now_s):
-            now, books = session.world.grains_by_colour, session.account.expected_by_colour
-            self.account, self.grains = session.account, sum(now)
-            self._pace, self._grains = _pace(self.gauge.reading, session), _grains(now, books)
-            self._alarm = (self.gauge.reading.full and not session.paused) or now != books
+    def update(self, session):
+        """Write the words anew, if there is a new reading."""
+        reading, grains, account = self._stats.reading, self._stats.grains, self._stats.account
+        if reading is self._written:
+            return
+        self._written, books = reading, account.expected_by_colour
+        self._pace, self._grains = _pace(reading, session), _grains(grains, books)
+        self._alarm = (reading.full and not session.paused) or grains != books
 
     def drawing(self, theme, rect, session, said="", aside=""):
         """Return the strokes of the line in `rect`: a value that changes only when the line does.
@@ -50,7 +50,7 @@ class Hud:
 
     def _fitting(self, theme, first, pace, room):
         """Return as much of the line as there is room for."""
-        if self.gauge.reading is None:
+        if self._written is None:
             return GAP.join(first)
         lines = [GAP.join(each) for each in ([*first, pace, self._grains], [*first, pace], first) if each]
         return next((line for line in lines if theme.width(line, look.SMALL) <= room), lines[-1])

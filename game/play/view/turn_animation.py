@@ -2,12 +2,12 @@
 
 import math
 
-from game.core.draw.cells import draw_turned
+from game.world.looks.painter import draw_turned
 
 TURN_S = 0.45
 
 
-class Turn:
+class TurnAnimation:
     """The picture of the lattice before the turn, on its way round by quarters, growing to `growth` its size."""
 
     def __init__(self, picture, now_s, quarters=2, growth=1.0):
@@ -24,6 +24,4 @@ class Turn:
         """Draw the picture as far round as it is into `frame` (left, top, width, height) of `pixels`."""
         part = min(max((now_s - self._start_s) / TURN_S, 0.0), 1.0)
         part = (1 - math.cos(math.pi * part)) / 2  # starts and ends gently
-        cosine, sine, zoom = math.cos(part * self._angle), math.sin(part * self._angle), self._growth**-part
-        left, top, width, height = frame
-        draw_turned(self._picture, ground, cosine, sine, zoom, pixels, top, left, height, width)
+        draw_turned(self._picture, ground, part * self._angle, self._growth**-part, pixels, frame)

@@ -1,4 +1,4 @@
-"""The badge: how large a cell is and which part of the lattice is in sight, for a moment after that has changed."""
+"""The zoom badge: how large a cell is and what is in sight, for a moment after that has changed."""
 
 import pygame
 
@@ -12,11 +12,11 @@ AWAY = 10  # from the corner of the sand
 MAP = 96  # the longer side of the map of the lattice
 
 
-class Badge:
+class ZoomBadge:
     """Shows itself, and goes away by itself."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, display):
+        self._display = display
         self.shown = False
         self._until_s = None
 
@@ -30,19 +30,15 @@ class Badge:
             self._until_s = now_s + STAY_S
         elif self.shown and now_s > self._until_s:
             self.shown = False
-            self._toy.display.refresh()
-
-    def handle_events(self, events, now_s, mouse_pos):
-        """Leave all events to others."""
-        return events
+            self._display.refresh()
 
     def draw(self, surface, theme, area):
-        """Draw the zoom level with the stage, and the lattice under it, unless all of it is in sight.
+        """Draw the zoom level, and the lattice under it, unless all of it is in sight.
 
         It is at the right of `area`, or at its left if the leading one of several worlds is further right. Return the
         rects that they cover.
         """
-        px, stage, view = theme.px, self._toy.display.stage, self._toy.display.stage.view
+        px, stage, view = theme.px, self._display.stage, self._display.stage.view
         text = words(view.cell)
         box = pygame.Rect(0, stage.area.y + px(AWAY), theme.width(text, look.BODY) + 2 * px(PAD), px(HEIGHT))
         box.right = area.right - px(AWAY)

@@ -1,10 +1,12 @@
 """The world's look: which colour each cell has, and worlds drawn into arrays of pixels. No window is needed."""
 
+import math
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
+from game.core.draw import cells
 from game.core.draw.cells import LOOKS, TEXTURE, draw_cells, dyed, mixed_columns, pairs_of, shades_of
 from game.core.draw.downscaled import draw_density, shift_edges
 from game.core.draw.glass_decor import decor_of
@@ -179,3 +181,12 @@ def _merged(spans):
         else:
             merged.append((top, bottom))
     return merged
+
+
+def draw_turned(picture, ground, angle, zoom, pixels, frame):
+    """Draw a picture turned by `angle` radians and `zoom` times smaller into `frame` of `pixels`, `ground` around it.
+
+    picture, pixels: (h, w) uint32. frame: (left, top, width, height).
+    """
+    left, top, width, height = frame
+    cells.draw_turned(picture, ground, math.cos(angle), math.sin(angle), zoom, pixels, top, left, height, width)

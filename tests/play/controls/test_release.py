@@ -100,7 +100,7 @@ def test_a_stroke_cut_off_in_one_pane_does_not_bind_the_next_to_it():
     player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
     player.wait(1)
     x, y = player.pixel(60, 190)
-    left = min(shift for shift, _ in player.toy.display.stage._shifts.values())
+    left = min(pane.x for pane in player.toy.display.stage.panes) - player.toy.display.stage.area.x
     player.button(pygame.MOUSEBUTTONDOWN, (x + left, y))
     lose_focus(player)
     player.key(pygame.K_c, "c")

@@ -163,7 +163,7 @@ def test_a_drag_of_a_slider_is_one_step(glass):
 
 def test_undo_goes_back_to_the_moment_before_the_act_if_asked_to(glass):
     glass.wait(20)
-    glass.toy.undo_goes_back = True
+    glass.toy.commands.time.undo_goes_back = True
     at = glass.session.now
     glass.session.do(Flip())
     glass.wait(60)
@@ -182,11 +182,11 @@ def test_the_panel_takes_back_what_the_keys_take_back(player):
     assert player.world.grains == some
 
 
-def test_with_nothing_to_take_back_the_screen_says_so(player):
+def test_with_nothing_to_undo_the_screen_says_so(player):
     undo(player)
-    assert player.toy.notices.text == "There is nothing to take back."
+    assert player.toy.notices.text == "Nothing to undo."
     redo(player)
-    assert player.toy.notices.text == "There is nothing to bring back."
+    assert player.toy.notices.text == "Nothing to redo."
 
 
 def test_painting_in_the_past_begins_a_new_future_and_redo_finds_the_old_one(player):

@@ -9,7 +9,7 @@ import pytest
 from game import Rule
 from game.core.draw.heatmap import ALWAYS, NEVER
 from game.play.forecast import legend
-from game.play.forecast.forecasting import STALE_S, Forecasting
+from game.play.forecast.forecasting import STALE_S
 from game.world.background.forecast_thread import ForecastThread, forecast_of
 from game.world.looks.heatmap_colours import cover
 from game.world.looks.painter import rgb
@@ -123,11 +123,7 @@ def scripted(player):
 
 def forecast_by(player, thread):
     """Turn the forecast on, worked out by `thread`, and return that."""
-    toy = player.toy
-    forecasting = Forecasting(toy.sessions, toy.display, toy.hearing, thread)
-    toy.overlays[toy.overlays.index(toy.forecasting)] = forecasting
-    toy.watchers[toy.watchers.index(toy.forecasting)] = forecasting
-    toy.forecasting = forecasting
+    player.toy.forecasting.thread = thread
     player.key(pygame.K_h, "h")
     return thread
 
@@ -199,7 +195,7 @@ def test_the_forecast_of_flowing_sand_does_not_flicker(player, scripted):
     def seen():
         player.frame()
         forecasting = player.toy.forecasting
-        return bool(player.toy.display.stage.veil), forecasting.stale, forecasting.legend.lines[0] != "Forecast"
+        return bool(player.toy.display.stage.heatmap), forecasting.stale, forecasting.legend.lines[0] != "Forecast"
 
     while len(scripted.requests) < 5:
         assert seen() == (False, False, False)
@@ -220,16 +216,16 @@ def test_a_forecast_that_answers_another_question_is_shown_as_stale(player, stuc
     player.hold_time()
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.toy.display.stage.veil.stale
+    assert not forecasting.stale and not player.toy.display.stage.heatmap.stale
     stuck.free.clear()
     forecasting.ahead += 1
     player.frame()
     assert not forecasting.stale  # it is about to be answered
     player.wait(int(STALE_S * 1e9 / FRAME_NS) + 2)
-    assert forecasting.stale and player.toy.display.stage.veil.stale
+    assert forecasting.stale and player.toy.display.stage.heatmap.stale
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.toy.display.stage.veil.stale
+    assert not forecasting.stale and not player.toy.display.stage.heatmap.stale
 
 
 @pytest.mark.parametrize("act", [SetRule(Rule.with_p(0.1)), Flip()])
@@ -295,7 +291,7 @@ def test_another_scene_has_no_forecast_of_the_one_before(player, stuck):
     stuck.free.clear()
     player.toy.sessions.load("paper")
     player.wait(2)
-    assert player.toy.display.stage.veil is None and player.toy.forecasting.answer is None
+    assert player.toy.display.stage.heatmap is None and player.toy.forecasting.answer is None
 
 
 def test_the_forecast_follows_the_view_in_and_out(paper):
@@ -306,7 +302,7 @@ def test_the_forecast_follows_the_view_in_and_out(paper):
         )
         paper.toy.display.stage.show(view)
         paper.frame(elapsed_ns=0)
-        veil = paper.toy.display.stage.veil
+        veil = paper.toy.display.stage.heatmap
         pixels = np.zeros(paper.toy.window.size[::-1], np.uint32)
         veil.draw(pixels, view, [(0, pixels.shape[0])], rgb)
         _, laid = cover(rgb)
@@ -319,7 +315,7 @@ def test_the_forecast_follows_the_view_in_and_out(paper):
 
 def test_a_veil_drawn_span_by_span_is_the_veil_drawn_at_once(paper):
     see_forecast(paper)
-    veil, view = paper.toy.display.stage.veil, paper.toy.display.stage.view
+    veil, view = paper.toy.display.stage.heatmap, paper.toy.display.stage.view
     once = np.random.default_rng(92).integers(0, 2**24, paper.toy.window.size[::-1]).astype(np.uint32)
     by_spans = once.copy()
     veil.draw(once, view, [(0, once.shape[0])], rgb)

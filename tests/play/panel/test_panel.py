@@ -84,8 +84,8 @@ def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, s
     Image.new("RGB", (64, 48), "gold").save(tmp_path / "photo.png")
     seen(glass, size, scale)
     glass.drop(tmp_path / "photo.png")
-    for command, *words in (["turn", 1], ["zoom", 1], ["show_scenes"], ["show_scenes"], ["toggle_help"]):
-        getattr(glass.toy.commands, command)(*words)
+    for command in ("sand.turn 1", "view.zoom 1", "files.show_scenes", "files.show_scenes", "view.toggle_help"):
+        glass.toy.commands.give(command)
         glass.wait(2)
         stage, layout, pixels = glass.toy.display.stage, glass.toy.display.layout, glass.toy.window.surface.get_rect()
         left, top, right, bottom = stage.view.seen
@@ -173,7 +173,7 @@ def back(player):
         if player.toy.display.page or player.toy.panel.ui.focus.popup or player.toy.question.shown:
             player.key(pygame.K_ESCAPE)
     if player.toy.window.fullscreen:
-        player.toy.commands.toggle_fullscreen()
+        player.toy.commands.view.toggle_fullscreen()
         player.frame()
 
 

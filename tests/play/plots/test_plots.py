@@ -55,7 +55,7 @@ def test_still_plots_of_a_still_world_are_not_drawn_again(glass):
     glass.wait(40)
     area = glass.toy.display.layout.plots
     assert glass.toy.plots.draw(glass.toy.window.surface) == []
-    glass.toy.screen.forget()
+    glass.toy.plots.forget()
     assert glass.toy.plots.draw(glass.toy.window.surface) == [area]
 
 
@@ -93,11 +93,11 @@ def test_the_row_is_the_neck_unless_the_player_sets_another(glass):
 
 def test_the_row_lies_in_the_lattice_however_it_is_turned(player):
     plots, (high, wide) = player.toy.plots, player.world.shape
-    player.toy.commands.turn(1)
+    player.toy.commands.sand.turn(1)
     plots.measured_row = wide
     player.now_s += 1e6
     player.wait(1)
-    player.toy.commands.turn(3)
+    player.toy.commands.sand.turn(3)
     assert player.world.shape == (high, wide) and plots.measured_row == high < wide
 
 

@@ -201,7 +201,7 @@ def test_sand_goes_on_settling_at_the_pace(waiting):
 
 
 def test_a_timer_without_sand_to_fall_still_ends_on_time(waiting):
-    waiting.toy.commands.clear()
+    waiting.toy.commands.sand.clear()
     waiting.start(2)
     assert "No sand is above the neck" in waiting.toy.notices.text
     waiting.run_out()

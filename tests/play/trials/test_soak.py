@@ -20,8 +20,9 @@ toy, known = soak.toy, ready()
 for name in ("hourglass", "rainbow", "fountain", "city"):
     toy.sessions.load(name)
     soak.run(0.1, print)
-    for command in ("flip", "compare", "undo", "compare", "toggle_forecast", "toggle_plots", "redo"):
-        getattr(toy.commands, command)()
+    shown = "view.toggle_forecast", "view.toggle_plots"
+    for command in ("sand.flip", "sand.compare", "time.undo", "sand.compare", *shown, "time.redo"):
+        toy.commands.give(command)
         soak.run(0.1, print)
     toy.sessions.now.world.digest()
 assert ready() == known, ready() - known

@@ -22,10 +22,15 @@ def three():
     pygame.display.quit()
 
 
+def shifts(view):
+    """Return the way from the leading pane to each pane, in pixels."""
+    return [(pane.x - view.area.x, pane.y - view.area.y) for pane in view.panes]
+
+
 def places_in(player, column, row):
     """Return the pixel of a cell in each pane."""
     x, y = player.pixel(column, row)
-    return [(x + dx, y + dy) for dx, dy in player.toy.display.stage._shifts.values()]
+    return [(x + dx, y + dy) for dx, dy in shifts(player.toy.display.stage)]
 
 
 def test_the_key_shows_the_present_sand_three_times_and_goes_back_to_where_it_was():
@@ -69,7 +74,7 @@ def test_each_pane_shows_its_own_world_and_what_is_left(three):
     three.wait(20)
     surface = pygame.surfarray.array3d(three.toy.window.surface)
     seen = []
-    for dx, dy in three.toy.display.stage._shifts.values():
+    for dx, dy in shifts(three.toy.display.stage):
         left, top, right, bottom = three.toy.display.stage.view.seen
         seen.append(surface[left + dx : right + dx, top + dy : bottom + dy])
     assert (seen[0] != seen[1]).any() and (seen[1] != seen[2]).any()

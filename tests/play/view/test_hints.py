@@ -26,7 +26,7 @@ def said(player, seconds):
 def test_every_hint_comes_at_its_moment_and_never_again(glass):
     assert said(glass, HINTS[0].after_s - 1) == []
     assert said(glass, 100) == [PAINT, P, FLIP]
-    glass.toy.commands.restart()
+    glass.toy.commands.sand.restart()
     assert said(glass, 100) == []
 
 

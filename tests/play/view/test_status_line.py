@@ -4,7 +4,7 @@ import pygame
 import pytest
 
 from game.play.ui import theme as look
-from game.play.view.frame_stats import Frame, read
+from game.play.view.frame_stats import FrameTime, read
 from game.play.view.stats_card import BUSY, FULL
 from game.world.sessions.action import Paint
 
@@ -16,7 +16,9 @@ def on_time(wanted_ms, other_ms=1.0, share=1.0):
     """Return 15 frames in which moving the sand takes `wanted_ms` each, on a machine that gives them so much of it."""
     moved = min(wanted_ms, max(BUDGET_MS * share - other_ms, 0.5))
     done = int(1000 * moved / wanted_ms)
-    frame = Frame(round((moved + other_ms) / share * MS), round((moved + other_ms) * MS), round(moved * MS), 1000, done)
+    frame = FrameTime(
+        round((moved + other_ms) / share * MS), round((moved + other_ms) * MS), round(moved * MS), 1000, done
+    )
     return [frame] * 15
 
 
@@ -24,7 +26,7 @@ def late(ms, wanted_ms):
     """Return a frame with `ms` of time to make up for, in which it could move sand for as long as frames last."""
     due = round(1000 * ms / 16.7)
     moved = min(BUDGET_MS - 1, wanted_ms * due / 1000)
-    return Frame(16 * MS, 16 * MS, round(moved * MS), due, round(1000 * moved / wanted_ms))
+    return FrameTime(16 * MS, 16 * MS, round(moved * MS), due, round(1000 * moved / wanted_ms))
 
 
 def line(player):
@@ -57,7 +59,7 @@ def test_a_machine_that_is_busy_elsewhere_does_not_fill_frames():
 
 
 def test_a_window_that_takes_all_the_time_fills_its_frames():
-    reading = read([Frame(42 * MS, 42 * MS, 2 * MS, 100, 20)] * 6, 0.252)
+    reading = read([FrameTime(42 * MS, 42 * MS, 2 * MS, 100, 20)] * 6, 0.252)
     assert reading.full
 
 

@@ -1,0 +1,72 @@
+"""The commands for time: how fast it goes, where it stops, and what is undone."""
+
+from game.play.timer.timer import RUNNING
+from game.world.sand import parameters
+from game.world.sand.duration import spell_left
+from game.world.sessions.session import SEEK_NS
+
+FASTER = 2**0.5  # what one press of + does to the speed
+
+
+class TimeCommands:
+    """The keys and buttons of time."""
+
+    def __init__(self, sessions, notices, keys, fast_forward, timer, on_timer):
+        """`on_timer()` is called when the timer is started."""
+        self._sessions, self._notices, self._keys = sessions, notices, keys
+        self._fast_forward, self._timer, self._on_timer = fast_forward, timer, on_timer
+        self.undo_goes_back = False  # undo goes to the moment of the act that it undoes
+
+    def pause(self):
+        """Hold time, or let it go on."""
+        self._sessions.now.paused = not self._sessions.now.paused
+
+    def step(self):
+        """Run one iteration and hold time."""
+        self._sessions.now.paused = True
+        if self._sessions.ready():
+            self._sessions.now.step()
+
+    def faster(self):
+        """Speed time up by half."""
+        self._change_speed(FASTER)
+
+    def slower(self):
+        """Slow time down by a third."""
+        self._change_speed(1 / FASTER)
+
+    def settle(self):
+        """Run until nothing can move any more."""
+        self._fast_forward.settle()
+
+    def await_flow(self):
+        """Run until a grain next passes the neck."""
+        self._fast_forward.await_flow()
+
+    def toggle_timer(self):
+        """Start the timer, or stop it."""
+        if self._timer.state == RUNNING:
+            self._notices.say(f"The timer was stopped with {spell_left(self._timer.left_s)} left.")
+            self._timer.stop()
+        else:
+            self._timer.start()
+            self._on_timer()
+
+    def undo(self):
+        """Undo the last act; where a session has none left, go back to the one it was opened over.
+
+        Only a key pressed anew does that, not one held.
+        """
+        if self._sessions.now.undo(self.undo_goes_back, SEEK_NS):
+            return
+        if self._keys.repeats or not self._sessions.leave():
+            self._notices.say("Nothing to undo.")
+
+    def redo(self):
+        """Bring back what was undone last, or the future that was left."""
+        if not self._sessions.now.redo(self.undo_goes_back, SEEK_NS):
+            self._notices.say("Nothing to redo.")
+
+    def _change_speed(self, factor):
+        clock = self._sessions.now.clock
+        clock.speed = min(max(clock.speed * factor, parameters.SPEED.low), parameters.SPEED.high)
