@@ -182,7 +182,7 @@ class FastForward:
     def _narrow(self):
         """Find the first iteration of this frame at which it was so, beside the frames that follow."""
         self._narrowing = True
-        course, end, reached = self._before, self._sessions.now.now, self._reached
+        lookahead, end, reached = self._before, self._sessions.now.now, self._reached
         timeline = self._sessions.now.timeline
         line = timeline.history.line
 
