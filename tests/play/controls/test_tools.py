@@ -306,7 +306,7 @@ def test_a_turn_of_the_table_is_seen_to_go_round(glass):
     assert glass.toy.display.stage.turn is None
 
 
-def test_q_and_e_lean_the_rule_in_steps_that_meet_at_0(still):
+def test_q_and_e_tilt_the_table_in_steps_that_meet_at_0(still):
     for code, wanted in (
         (pygame.K_e, 0.1),
         (pygame.K_e, 0.2),
@@ -324,17 +324,17 @@ def test_q_and_e_lean_the_rule_in_steps_that_meet_at_0(still):
     assert still.session.rule.bias == 1.0
 
 
-def test_a_table_that_leans_is_told_of_with_its_side_and_bias(still):
+def test_a_tilted_table_is_told_of_with_its_side_and_bias(still):
     for code, told in (
         (pygame.K_q, "left: bias -0.1"),
-        (pygame.K_e, "upright: bias 0"),
+        (pygame.K_e, "level: bias 0"),
         (pygame.K_e, "right: bias +0.1"),
     ):
         still.key(code)
         assert still.toy.notices.text.endswith(told)
 
 
-def test_a_table_that_leans_shows_a_frame_that_goes_with_the_lean(still, monkeypatch):
+def test_a_tilted_table_shows_a_frame_that_goes_with_the_tilt(still, monkeypatch):
     monkeypatch.setattr(still.toy.notices, "say", lambda text: None)
     upright = pygame.surfarray.array2d(still.toy.window.surface)
     still.key(pygame.K_e)

@@ -31,14 +31,15 @@ assert ready() == known, ready() - known
 
 @pytest.fixture
 def soak():
-    yield Soak(seed=7)
+    soak = Soak(seed=7)
+    yield soak
+    soak.toy.close()
     pygame.display.quit()
 
 
 def test_nothing_goes_wrong_in_some_seconds_of_random_input(soak):
     soak.run(3.0, say=print)
     assert soak.frames > 50 and soak.acts > 20
-    soak.toy.close()
 
 
 def test_no_kernel_is_compiled_in_mid_play():
