@@ -64,10 +64,11 @@ def test_what_fixtures_do_does_not_depend_on_how_iterations_are_split(number, fi
 
 @pytest.mark.parametrize("rule", [Rule(schedule="balanced"), RULE])
 @pytest.mark.parametrize("kind", [TAP, DRAIN])
-@pytest.mark.parametrize("offset", range(-3, 3))
+@pytest.mark.parametrize("offset", [-1, 0])
 def test_sand_at_rest_moves_where_a_fixture_acts_at_the_border_of_a_band(rule, kind, offset):
-    sand, walls = np.zeros((2, 1100, 12), bool)
-    border = 2 * World.from_cells(sand, walls).activity.band_rows
+    sand, walls = np.zeros((2, 600, 2000), bool)
+    border = 4 * 2 * World.from_cells(sand, walls).activity.band_rows
+    assert border < 500  # far from the first band
     walls[border + 4 :] = True
     if kind == DRAIN:
         sand[border - 8 : border + 4] = True
@@ -75,7 +76,7 @@ def test_sand_at_rest_moves_where_a_fixture_acts_at_the_border_of_a_band(rule, k
     advance(world, rule, 40)  # all is at rest, and known to be
     world.fixtures = (Fixture(kind, 5, border + offset, every=50),)
     advance(world, rule, 10)
-    for _ in range(30):
+    for _ in range(12):
         twin = world.copy()  # knows of no rest
         advance(twin, rule, 1)
         advance(world, rule, 1)
