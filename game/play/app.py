@@ -27,8 +27,9 @@ from game.play.storage.open_sessions import Sessions
 from game.play.storage.photo_import import PhotoImport
 from game.play.storage.recorder import Recorder
 from game.play.storage.settings_saver import SettingsSaver
+from game.play.timer.chime import Chime
 from game.play.timer.glow import Glow
-from game.play.timer.run_out_planner import Planner
+from game.play.timer.run_out_planner import RunOutPlanner
 from game.play.timer.timer import Timer
 from game.play.ui.widgets import Ui
 from game.play.view.block_overlay import BlockOverlay
@@ -91,9 +92,10 @@ class Toy:
         self.help = Help(self)
         self.display.pages = self.help, self.gallery
         self.hiss = Hiss(self.sessions, self.settings, self.audio, self.background, self.notices)
-        self.planner = Planner(self)
-        self.glow = Glow(self)
-        self.timer = Timer(self)
+        self.planner = RunOutPlanner(self.sessions, self.background)
+        self.glow = Glow(self.display, self.settings)
+        chime = Chime(self.settings, self.audio, self.background)
+        self.timer = Timer(self.sessions, self.planner, self.notices, self.window.set_title, self.glow, chime)
         self.panel = Panel(Ui(self.display.theme))
 
     def _make_controls(self):
@@ -266,6 +268,7 @@ class Toy:
     def close(self):
         """End every session's journal and wait for what is being written."""
         self.recorder.stop()
+        self.planner.close()
         self.forecasting.close()
         self.sessions.close()
         self.settings_saver.close()

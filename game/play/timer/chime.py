@@ -1,4 +1,4 @@
-"""The chime: a small bell, as samples."""
+"""The chime: a small bell that rings when the time is over."""
 
 import numpy as np
 
@@ -14,7 +14,28 @@ FADE_S = 0.3
 LOUDEST = 0.5  # of what the card takes
 
 
-def chime():
+class Chime:
+    """Rings if that is set; its samples are made beside the frames."""
+
+    def __init__(self, settings, audio, background):
+        self._settings, self._audio, self._background = settings, audio, background
+        self._samples = None
+
+    def prepare(self):
+        """Make the samples, unless they have been made."""
+        if self._samples is None:
+            self._background.do(chime_samples, self._keep)
+
+    def ring(self):
+        """Ring once."""
+        if self._settings["chime"] and self._samples is not None:
+            self._audio.play(self._samples, self._settings["volume"])
+
+    def _keep(self, samples):
+        self._samples = samples
+
+
+def chime_samples():
     """Return the samples of the chime: (samples, 2) float32, left and right."""
     wave = np.zeros(round(LENGTH_S * RATE))
     for start_s, note_hz in zip(STRUCK_S, NOTES_HZ, strict=True):

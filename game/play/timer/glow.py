@@ -1,4 +1,4 @@
-"""The glow: the frame of the sand lights up for a while and fades."""
+"""The glow: the edges of the sand light up for a while and fade."""
 
 import math
 
@@ -9,33 +9,33 @@ from game.play.ui import theme as look
 LASTS_S = 4.0
 RISES_S = 0.4
 WIDTH = 26  # pixels at scale 1
-LINE = 3  # of the frame that stands still instead, where motion is reduced
+LINE = 3  # of the still frame that is drawn instead where motion is reduced
 
 
 class Glow:
-    """An overlay that is there only while the frame glows."""
+    """An overlay that is shown only while the edges glow."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, display, settings):
+        self._display, self._settings = display, settings
         self._since_s = None
         self._age_s = 0.0
         self._strips, self._of = [], None  # the glow at its brightest, and what it was drawn for
 
     @property
     def shown(self):
-        """Whether the frame glows."""
+        """Whether the edges glow."""
         return self._since_s is not None
 
     def start(self, now_s):
-        """Let the frame glow from now on."""
+        """Glow from now on."""
         self._since_s, self._age_s = now_s, 0.0
-        self._toy.display.refresh()
+        self._display.refresh()
 
     def stop(self):
-        """Let it go out at once."""
+        """Stop glowing at once."""
         if self.shown:
             self._since_s = None
-            self._toy.display.refresh()
+            self._display.refresh()
 
     def update(self, now_s):
         """Let time pass."""
@@ -44,8 +44,8 @@ class Glow:
         self._age_s = now_s - self._since_s
         if self._age_s > LASTS_S:
             self.stop()
-        elif not self._toy.settings["reduced_motion"]:
-            self._toy.display.refresh()
+        elif not self._settings["reduced_motion"]:
+            self._display.refresh()
 
     def handle_events(self, events, now_s, mouse_pos):
         """Leave all events to others."""
@@ -53,7 +53,7 @@ class Glow:
 
     def draw(self, surface, theme, area):
         """Draw the glow inside `area`; return the rects that it covers."""
-        if self._toy.settings["reduced_motion"]:
+        if self._settings["reduced_motion"]:
             pygame.draw.rect(surface, theme.rgb(look.ACCENT), area, theme.px(LINE))
             return [rect.move(area.topleft) for rect in _edges(area.size, theme.px(LINE))]
         self._prepare(area, theme.px(WIDTH), theme.rgb(look.ACCENT))

@@ -104,7 +104,7 @@ def play(trial, seed):
             time.sleep(losses.uniform(0.05, LONGEST_LOSS_S))
         pace.tick(FRAMES_PER_SECOND)
     fallen = "The last grain fell" in toy.timer.said and toy.sessions.now.account.balanced(toy.sessions.now.world)
-    toy.running = False
+    toy.planner.close()
     return {
         "late_s": shown_s - began_s - trial.seconds,
         "frame_s": last_frame_s,

@@ -1,17 +1,24 @@
 """The timer: the last grain falls on time, whatever becomes of frames, sand and sleep. Its clock is a false one."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pygame
 import pytest
 
-from game.play.timer.chime import LENGTH_S, chime
-from game.play.timer.pace import Pace
-from game.play.timer.timer import OFF, OVER, PATIENCE_S, RUNNING
+from game.play.timer import run_out_planner
+from game.play.timer.chime import LENGTH_S, chime_samples
+from game.play.timer.run_out_planner import RunOutPlanner
+from game.play.timer.timer import OFF, OVER, PATIENCE_S, RUNNING, SHARE, Pace, Timer
 from game.play.ui.sliders import HANDLE
+from game.play.view.notices import Notices
 from game.play.window.audio import RATE
+from game.world.sand.duration import spell
 from game.world.sand.rule import Rule
 from game.world.scenes.hourglass_maker import scene_of
 from game.world.sessions.action import Load, Paint, SetRule
+from game.world.sessions.run_out import RunOut
+from game.world.sessions.session import Session
 from tests.cells import small_glass
 from tests.play.player import FRAME_NS, Player
 
@@ -56,8 +63,10 @@ class Waiting(Player):
 
 
 @pytest.fixture
-def waiting():
-    """Return someone who waits for a small glass."""
+def waiting(monkeypatch):
+    """Return someone who waits for a small glass, at a computer that always has time for what is due."""
+    monkeypatch.setattr("game.play.frame_step.LEAST_STEPPING_NS", 10**12)
+    monkeypatch.setattr("game.play.timer.timer.SEEK_NS", 10**12)
     yield Waiting()
     pygame.display.quit()
 
@@ -159,7 +168,7 @@ def test_after_a_long_sleep_it_ends_at_once_and_says_so(waiting):
     waiting.frame(elapsed_ns=600 * 10**9)
     waiting.wait(2)
     assert waiting.timer.state == OVER and waiting.session.now >= waiting.toy.planner.ask().at
-    assert waiting.timer.said == "0:05 was over 9:56 ago, while the computer slept."
+    assert waiting.timer.said == "0:05 ended 9:56 ago, while the computer slept."
 
 
 def test_after_a_short_sleep_it_catches_up(waiting):
@@ -205,7 +214,7 @@ def test_a_timer_without_sand_to_fall_still_ends_on_time(waiting):
     waiting.start(2)
     assert "No sand is above the neck" in waiting.toy.notices.text
     waiting.run_out()
-    assert waiting.timer.error_s <= FRAME_S + 1e-6 and "no sand was left" in waiting.timer.said
+    assert waiting.timer.error_s <= FRAME_S + 1e-6 and "No sand was left" in waiting.timer.said
 
 
 def test_sand_that_cannot_pass_is_told_of(waiting):
@@ -213,18 +222,18 @@ def test_sand_that_cannot_pass_is_told_of(waiting):
     waiting.toy.sessions.do(Paint("wall", (0.0, height / 2), (float(width), height / 2), 3))
     waiting.session.timeline.run(200)
     waiting.start(2)
-    assert "cannot pass" in waiting.toy.notices.text
+    assert "is stuck" in waiting.toy.notices.text
     waiting.run_out()
-    assert "could not pass" in waiting.timer.said
+    assert "was stuck" in waiting.timer.said
 
 
 def test_a_scene_without_end_is_told_of(waiting, monkeypatch):
     monkeypatch.setattr("game.world.sessions.run_out.find_run_out.__defaults__", (None, 4000, 10**10))
     waiting.toy.sessions.do(SetRule(Rule.with_p(1e-7, "balanced")))
     waiting.start(2)
-    assert "does not come to an end" in waiting.toy.notices.text
+    assert "No end of this sand can be foreseen: the timer only counts" in waiting.toy.notices.text
     waiting.run_out()
-    assert waiting.timer.error_s <= FRAME_S + 1e-6 and "no end that can be foreseen" in waiting.timer.said
+    assert waiting.timer.error_s <= FRAME_S + 1e-6 and "No end of this sand" in waiting.timer.said
 
 
 def test_an_end_that_was_not_found_in_time_is_told_as_such(waiting, monkeypatch):
@@ -345,6 +354,87 @@ def test_the_frame_glows_for_a_while(waiting, reduced):
     assert waiting.toy.window.surface.get_at(corner) == dark and not waiting.toy.glow.shown
 
 
+# --- without a window ---
+
+
+@pytest.fixture
+def sessions():
+    """Return the Sessions of one that plays a small glass."""
+    return SimpleNamespace(now=Session(scene_of(small_glass(48)), 1))
+
+
+def said_of(sessions, seconds, work_s):
+    """Return what a timer says of sand that runs out in 3000 iterations, which take `work_s` to compute, or None."""
+    plan, notices, silent = RunOut(0, 3000, True, False, work_s * 1e9 / 3000), Notices(), lambda *_: None
+    planner = SimpleNamespace(newest=plan, ask=lambda: plan)
+    glow, chime = SimpleNamespace(start=silent, stop=silent), SimpleNamespace(prepare=silent, ring=silent)
+    timer = Timer(sessions, planner, notices, silent, glow, chime, clock=lambda: 0.0)
+    timer.set(seconds)
+    timer.start()
+    timer.update(0.0)
+    return notices.text
+
+
+def test_what_will_be_late_is_said_at_the_start_with_a_time_that_would_do(sessions):
+    assert said_of(sessions, 100, work_s=100 * SHARE - 1) is None
+    said = said_of(sessions, 100, work_s=100 * SHARE + 3)
+    assert said == f"This computer needs about {spell(100 + 3 / SHARE)} for this glass: it will be late."
+    assert said_of(sessions, 100 + 3 / SHARE + 1, work_s=100 * SHARE + 3) is None
+
+
+def test_a_computer_that_needs_almost_all_of_the_time_will_be_late(sessions):
+    assert "will be late" in said_of(sessions, 100, work_s=80)
+    assert said_of(sessions, 100, work_s=40) is None
+
+
+class HeldWork:
+    """Stands in for a Background: keeps the work that it is to do."""
+
+    def __init__(self):
+        self.works = []
+
+    def do(self, work, then, otherwise):
+        self.works.append(work)
+
+
+@pytest.fixture
+def search(sessions, monkeypatch):
+    """Return a planner that searches, what tells its search to give up, and a function that lets seconds pass."""
+    monkeypatch.setattr(run_out_planner, "find_run_out", lambda lookahead, cancelled: cancelled)
+    now_s, held = [50.0], HeldWork()
+    planner = RunOutPlanner(sessions, held, clock=lambda: now_s[0])
+    planner.ask()
+    _, cancelled = held.works[0]()
+
+    def pass_time(seconds):
+        now_s[0] += seconds
+        planner.ask()
+
+    return planner, cancelled, pass_time
+
+
+def test_a_search_for_what_is_still_asked_goes_on_for_as_long_as_it_takes(search):
+    _, cancelled, pass_time = search
+    for _ in range(60):
+        pass_time(1.0)
+        assert not cancelled()
+
+
+def test_a_search_that_an_act_has_put_out_of_date_is_cancelled_but_not_at_once(sessions, search):
+    _, cancelled, pass_time = search
+    sessions.now.do(SetRule(Rule.with_p(0.3)))
+    pass_time(run_out_planner.PATIENCE_S / 2)
+    assert not cancelled()
+    pass_time(run_out_planner.PATIENCE_S)
+    assert cancelled()
+
+
+def test_closing_the_planner_cancels_its_search(search):
+    planner, cancelled, _ = search
+    planner.close()
+    assert cancelled()
+
+
 def test_a_pace_keeps_every_fraction():
     pace = Pace(0.0, 100, 1500.0, 800)
     at = [pace.at(frame / 60) for frame in range(1500 * 60 + 2)]
@@ -353,7 +443,7 @@ def test_a_pace_keeps_every_fraction():
 
 
 def test_the_chime_is_a_soft_bell():
-    wave = chime()
+    wave = chime_samples()
     assert wave.shape == (round(LENGTH_S * RATE), 2) and 0.3 < np.abs(wave).max() <= 0.5
     assert abs(wave[0]).max() < 0.01 and abs(wave[-1]).max() < 0.001, "it neither begins nor ends with a click"
     spectrum = np.abs(np.fft.rfft(wave[: RATE // 2, 0]))
