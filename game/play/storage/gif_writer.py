@@ -1,4 +1,4 @@
-"""A GIF, written frame by frame as it comes: only what changed since the frame before goes into the file."""
+"""The GIF writer: writes a GIF frame by frame, of each only what changed since the one before."""
 
 import os
 import tempfile
@@ -8,13 +8,13 @@ import numpy as np
 
 from game.world.files.atomic import trouble
 
-FOR_EVER = b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00"  # play again and again
+FOR_EVER = b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00"  # repeat for ever
 TRAILER = b";"
 UNIT_MS = 10  # in which a GIF counts time
 
 
 class GifWriter:
-    """A GIF being written beside its place, and put there in one step when it is complete. Raises FileError."""
+    """Writes a temporary file, and moves it into place in one step when it is complete. Raises FileError."""
 
     def __init__(self, path, colours):
         """`colours`: the RGB bytes of the palette."""
@@ -29,7 +29,7 @@ class GifWriter:
             raise trouble(self.path, "cannot write", error) from None
 
     def add(self, pixels, ms):
-        """Show a frame, (h, w) uint8 of places in the palette, for `ms` milliseconds."""
+        """Show a frame, (h, w) uint8 indices into the palette, for `ms` milliseconds."""
         if self._next is not None and not np.array_equal(self._next, pixels):
             self._write_next()
         if self._next is None:
@@ -50,7 +50,7 @@ class GifWriter:
             raise trouble(self.path, "cannot write", error) from None
 
     def drop(self):
-        """Leave nothing behind."""
+        """Remove the temporary file."""
         self._file.close()
         Path(self._part).unlink(missing_ok=True)
 

@@ -1,4 +1,4 @@
-"""The journals: every session of the window writes down what is done in it, so that a crash loses nothing."""
+"""The journals: every session of the window is recorded in a file as it goes, so that a crash loses nothing."""
 
 from game.world.files.atomic import FileError
 from game.world.sessions.journal import Journal

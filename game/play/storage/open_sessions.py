@@ -1,4 +1,4 @@
-"""The open sessions: the one that is played, and those it was opened over, which wait to be gone back to."""
+"""The open sessions: the one that is played, and those it was opened over, to which the player can return."""
 
 from game.play.window.allocator import trim_heap
 from game.world.sand import parameters
@@ -6,25 +6,25 @@ from game.world.scenes.scene import load_scene, scene_title
 from game.world.sessions.action import Load
 from game.world.sessions.session import SEEK_NS
 
-MOST_WAITING = 4  # when more sessions wait, the middle ones are forgotten, never the player's own
+MOST_WAITING = 4  # when more sessions wait, the second one is dropped, never the first, the player's own
 
 
 class Sessions:
-    """The session that is played now, and a stack of those that wait with little memory, the player's own first."""
+    """The session that is played now, and a stack of those that wait, with little memory, the player's own first."""
 
     def __init__(self, session, journals, notices, on_switch):
         """`on_switch()` is called after another session, or another scene, has taken the place of the one shown."""
         self.now = session
         self._journals, self._notices, self._on_switch = journals, notices, on_switch
         self._waiting = []
-        self._has_waited = False  # in this frame, for the moment that the session should be at
+        self._has_waited = False  # in this frame, for the sand to be computed
 
     def begin_frame(self):
         """Let `ready` wait again."""
         self._has_waited = False
 
     def ready(self):
-        """Return whether the session is where it should be; wait for that a little, once a frame, or say so."""
+        """Return whether the session's sand is computed; wait for that a little, once a frame, else say so."""
         if not self.now.arrived and not self._has_waited:
             self._has_waited = True
             self.now.catch_up(SEEK_NS)
@@ -45,7 +45,7 @@ class Sessions:
         self.open_scene(load_scene(name), self.now.seed)
 
     def open_scene(self, scene, seed):
-        """Put a scene in place of this one; return whether that was done. It is an act, and can be taken back."""
+        """Put a scene in place of this one, which can be undone; return whether that was done."""
         if not self.do(Load(scene, seed)):
             return False
         self._on_switch()
@@ -53,7 +53,7 @@ class Sessions:
         return True
 
     def open(self, session, keep=False):
-        """Play another session, and keep this one behind it if it is asked for or anything was done in it."""
+        """Play another session; keep this one waiting if `keep` or if anything was done in it."""
         before = self.now
         self._play(session)
         if keep or before.timeline.history.line.before is not None or self._waiting:

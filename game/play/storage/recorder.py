@@ -1,4 +1,4 @@
-"""The recorder: pictures of the window and the sand, and GIFs of what follows or of what has just been."""
+"""The recorder: takes pictures of the window and the sand, and GIFs of what follows or of the last seconds."""
 
 import itertools
 import queue
@@ -17,11 +17,11 @@ from game.world.sessions.snapshots import nearest
 
 FRAME_MS = 40  # of a GIF: 25 frames per second
 PAST_S = 10
-LONGEST_S = 120  # of a recording: a GIF is no film
+LONGEST_S = 120  # of a recording
 LARGEST_GIF = 960, 720  # pixels: a larger lattice is shown at every so many cells
-LARGEST_PICTURE = 4096  # pixels a side, of a picture of the sand with cells larger than a pixel
-BAND = 2**20  # pixels of a picture of the sand that are drawn at a time: drawing takes over twenty bytes for each
-MOST_WAITING = 50  # frames that the writer may be behind; those that come then are left out
+LARGEST_PICTURE = 4096  # pixels a side of a picture of the sand whose cells are larger than a pixel
+BAND = 2**20  # pixels of a picture of the sand drawn at a time: drawing takes over twenty bytes for each
+MOST_WAITING = 50  # frames that the writer may be behind; further ones are dropped
 
 
 class Recorder:
@@ -32,13 +32,13 @@ class Recorder:
         self._background, self._notices = background, notices
         self._film = self._frames = None  # while recording: the Film, and the queue to its writer
         self._since_s = self._last_s = None
-        self._share = None  # how much of the past is written, while that goes on
+        self._share = None  # of the last seconds that has been written, while that goes on
 
     @property
     def said(self):
-        """What the HUD is to say of a recording, or ""."""
+        """What the status line says of a recording, or ""."""
         if self.going_on and self._since_s is not None:
-            return f"Recording {self._last_s - self._since_s:.0f} s    G ends it"
+            return f"Recording {self._last_s - self._since_s:.0f} s    G stops it"
         return "" if self._share is None else f"Writing the last {PAST_S} seconds: {100 * self._share:.0f} %"
 
     @property
@@ -56,7 +56,7 @@ class Recorder:
         world = self._sessions.now.world.copy()
         most = LARGEST_PICTURE // max(world.shape)
         scale = max(1, min(round(self._display.stage.view.cell), most))
-        self._save_picture(partial(_image_of_sand, world, scale, *self._looks()))
+        self._save_picture(partial(image_of_sand, world, scale, *self._looks()))
 
     def _save_picture(self, draw):
         """Save the image that draw() returns, beside the frames."""
@@ -81,7 +81,7 @@ class Recorder:
             return
         session = self._sessions.now
         self._film = Film(session.world.shape, session.scene.cell, *self._looks())
-        self._frames = frames = queue.SimpleQueue()  # without an end, so that nothing ever waits to put into it
+        self._frames = frames = queue.SimpleQueue()  # unbounded, so that putting never waits
         self._since_s = self._last_s = None
         work = partial(_write, session.scene.name, self._film, iter(frames.get, None))
         self._background.do(work, self._say_where, partial(self._give_up, frames))
@@ -93,7 +93,7 @@ class Recorder:
             self._frames = None
 
     def update(self, now_s):
-        """Take in the sand of this frame, if it is time for one; never wait for the writer."""
+        """Record the sand of this frame, if one is due; never wait for the writer."""
         if not self.going_on:
             return
         self._since_s = now_s if self._since_s is None else self._since_s
@@ -136,7 +136,7 @@ class Recorder:
         self._share = None
 
     def _give_up(self, frames):
-        """End the recording whose writer has failed."""
+        """End the recording, if it is the one whose writer has failed."""
         if self._frames is frames:
             self._frames = None
 
@@ -145,7 +145,7 @@ class Recorder:
 
 
 class Film:
-    """Turns worlds of one shape into frames: (h, w) uint8 of places in a palette of the sand's few colours."""
+    """Turns worlds of one shape into frames: (h, w) uint8 indices into a palette of the sand's few colours."""
 
     def __init__(self, shape, cell, colours=NIGHT, walls="stone"):
         height, width = self.shape = shape
@@ -170,7 +170,7 @@ def _image_of(surface):
     return Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))
 
 
-def _image_of_sand(world, scale, colours, walls):
+def image_of_sand(world, scale, colours, walls):
     """Return an image of a world, `scale` pixels to a cell, drawn in bands for the sake of memory."""
     from PIL import Image
 

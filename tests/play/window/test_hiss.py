@@ -4,8 +4,8 @@ import numpy as np
 import pygame
 import pytest
 
+from game.play.window import hiss
 from game.play.window.audio import RATE
-from game.play.window.hiss import loop
 
 
 @pytest.fixture
@@ -20,7 +20,7 @@ def heard(glass):
 
 
 def test_nothing_is_looked_at_or_opened_unless_sound_is_chosen(glass, monkeypatch):
-    monkeypatch.setattr(glass.toy.hiss._motion, "look", lambda world: pytest.fail("looked"))
+    monkeypatch.setattr(hiss.MotionMeter, "look", lambda self, world: pytest.fail("looked"))
     glass.wait(30)
     assert not glass.toy.audio.asked
 
@@ -43,23 +43,32 @@ def test_m_switches_it_off_and_it_fades_out(heard):
 
 
 class Ear:
-    """A channel that notes how loud it is on the left and on the right."""
+    """Stands in for a sound that is played, and notes how loud it is on the left and on the right."""
+
+    def play(self, loops):
+        return self
 
     def set_volume(self, left, right):
         self.heard = left, right
 
 
 @pytest.mark.parametrize("side", [-1, 0, 1])
-def test_the_volume_is_what_was_set_and_comes_from_its_side(heard, side):
-    hiss, settings = heard.toy.hiss, heard.toy.settings
-    hiss._channel, hiss.level, hiss.side = Ear(), 0.5, side
-    hiss._play(True)
-    left, right = hiss._channel.heard
-    assert np.hypot(left, right) == pytest.approx(0.5 * settings["volume"])
-    assert np.sign(round(right - left, 9)) == side and min(left, right) > 0
+def test_the_volume_is_what_was_set_and_comes_from_its_side(glass, monkeypatch, side):
+    ear, settings = Ear(), glass.toy.settings
+    monkeypatch.setattr(hiss, "sound_of", lambda wave: ear)
+    monkeypatch.setattr(hiss.MotionMeter, "look", lambda self, world: (2**hiss.LOUDEST, side))
+    settings["sound"] = True
+    glass.frame()
+    glass.settle()
+    glass.settle()
+    glass.wait(90)
+    left, right = ear.heard
+    assert np.hypot(left, right) == pytest.approx(settings["volume"], rel=0.01)
+    assert np.sign(round(right - left, 3)) == side and min(left, right) > 0
     settings["volume"] = 0
-    hiss._play(True)
-    assert hiss._channel.heard == (0, 0)
+    glass.frame()
+    assert ear.heard == (0, 0)
+    glass.toy.audio.close()
 
 
 def test_without_a_card_the_player_is_told_once_and_plays_on(glass):
@@ -81,7 +90,7 @@ def test_a_card_that_does_not_open_takes_the_promise_of_sound_back(glass, monkey
 
 
 def test_the_loop_has_no_seam_no_clipping_and_no_hum():
-    wave = loop()
+    wave = hiss.loop()
     assert wave.shape[1] == 2 and np.abs(wave).max() < 1
     steps = np.abs(np.diff(wave, axis=0))
     assert (np.abs(wave[0] - wave[-1]) <= steps.max(axis=0)).all()
