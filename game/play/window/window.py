@@ -1,4 +1,4 @@
-"""The window: opening it, its size, its pixels, and showing them by the cheapest way this machine has."""
+"""The window: opens it, knows its size and pixels, and shows them by the cheapest way there is."""
 
 import gc
 import os
@@ -15,9 +15,9 @@ import pygame
 from game.play.window import icon
 
 SMALLEST = (640, 480)
-LEAST_SURFACE = (320, 240)  # where a window is made smaller all the same, what it cannot show is drawn beside it
-ROOM_FOR_DECORATION = (24, 80)  # of the desktop, left to the title bar and panels of others
-SWITCH_S = 1.0  # within which the window is where it goes for full screen, or from there
+LEAST_SURFACE = (320, 240)  # a smaller window shows the corner of a surface of this size
+ROOM_FOR_DECORATION = (24, 80)  # pixels of the desktop that are left for the title bar and the desktop's own panels
+SWITCH_S = 1.0  # within which a switch to or from full screen is done
 SLOW_FLIP_MS = 3.0  # a flip that takes longer goes through software OpenGL: writing to the window is far cheaper
 TITLE = "Sandglass"
 NAME = "sandglass"
@@ -36,8 +36,8 @@ class Window:
 
         Raises NoDisplayError if there is no display.
         """
-        self._title, self._beside = TITLE, None
-        self._pointer = self._left = None  # where pointer and window were on the desktop when it was to change its size
+        self._title, self._larger = TITLE, None
+        self._pointer = self._left = None  # where pointer and window were on the desktop before the last switch
         self._since_s = 0.0  # when that was
         try:
             _start_display()
@@ -53,16 +53,16 @@ class Window:
     def surface(self):
         """The window's pixels, as pygame draws on them.
 
-        Of a window smaller than LEAST_SURFACE they are those that it shows a part of: nothing that draws lacks room.
+        Where the window is smaller than LEAST_SURFACE, they are a surface of that size, so that all parts have room.
         """
         shown = pygame.display.get_surface()
         size = tuple(max(sides) for sides in zip(shown.get_size(), LEAST_SURFACE, strict=True))
         if size == shown.get_size():
-            self._beside = None
+            self._larger = None
             return shown
-        if self._beside is None or self._beside.get_size() != size:
-            self._beside = pygame.Surface(size, 0, shown)
-        return self._beside
+        if self._larger is None or self._larger.get_size() != size:
+            self._larger = pygame.Surface(size, 0, shown)
+        return self._larger
 
     @property
     def size(self):
@@ -75,18 +75,18 @@ class Window:
         return _mapper(self.surface.get_shifts()[:3])
 
     def toggle_fullscreen(self):
-        """Fill the screen, or go back to the window as it was."""
+        """Switch to full screen, or back to the window as it was."""
         self.fullscreen = not self.fullscreen
         self._pointer, self._left = _on_desktop(pygame.mouse.get_pos()), pygame.display.get_window_position()
         self._since_s = time.monotonic()
         window = _of_sdl()
         if self.fullscreen:
-            window.set_fullscreen(True)  # as the desktop is; SDL knows where the window was and how large
+            window.set_fullscreen(True)  # at the desktop's resolution; SDL remembers the window's place and size
         else:
             window.set_windowed()
 
     def find_pointer(self):
-        """Keep the pointer where it was once the window went elsewhere under it: X11 tells that only when it moves."""
+        """After a switch, put the pointer where it was on the desktop: else X11 tells its place only when it moves."""
         if self._pointer is None:
             return
         place = pygame.display.get_window_position()
@@ -94,7 +94,7 @@ class Window:
             self._pointer = None
         elif place != self._left:
             x, y = (of_pointer - of_window for of_pointer, of_window in zip(self._pointer, place, strict=True))
-            pygame.mouse.set_pos(x - 1, y)  # where it is already, nothing is told
+            pygame.mouse.set_pos(x - 1, y)  # setting the place that it has tells nothing
             pygame.mouse.set_pos(x, y)
             self._pointer = None
 
@@ -108,16 +108,16 @@ class Window:
         """Call `draw` with the window's pixels: an (h, w) uint32 array over the surface, valid only during the call."""
         draw(self._pixels())
         if self.surface.get_locked():
-            gc.collect()  # a kernel that was compiled meanwhile left a cycle behind that holds the pixels
+            gc.collect()  # compiling a kernel meanwhile left a reference cycle that holds the pixels
 
     def _pixels(self):
         surface = self.surface
         return np.frombuffer(surface.get_buffer(), np.uint32).reshape(surface.get_height(), surface.get_pitch() // 4)
 
     def show(self, rects=None):
-        """Bring what was drawn in `rects`, or anywhere, to the screen."""
-        if self._beside and rects != []:
-            pygame.display.get_surface().blit(self._beside, (0, 0))
+        """Show what was drawn in `rects`, or everywhere, on the screen."""
+        if self._larger and rects != []:
+            pygame.display.get_surface().blit(self._larger, (0, 0))
             rects = None
         if rects is None:
             pygame.display.flip()
@@ -128,11 +128,11 @@ class Window:
         pygame.display.set_icon(icon.load())
         pygame.display.set_mode(self._windowed_size, pygame.RESIZABLE, 32)
         pygame.display.set_caption(self._title)
-        with suppress(AttributeError, pygame.error):  # not all window managers keep to it
+        with suppress(AttributeError, pygame.error):  # not every window manager obeys
             _of_sdl().minimum_size = SMALLEST
         if self.fullscreen:
             _of_sdl().set_fullscreen(True)
-            pygame.event.pump()  # the pixels are as many as the screen's from here on
+            pygame.event.pump()  # from here on the surface has the screen's size
 
     def _fitting(self, size):
         room = room_on(pygame.display.get_desktop_sizes()[0])
@@ -157,16 +157,16 @@ class Window:
 
 
 def _on_desktop(place):
-    """Return where a place in the window is on the desktop, or None where the pointer is not in it or that is known."""
+    """Return where a place in the window is on the desktop, or None without X11 or with the pointer elsewhere."""
     if pygame.display.get_driver() != "x11" or not pygame.mouse.get_focused():
         return None
     return tuple(sum(sides) for sides in zip(place, pygame.display.get_window_position(), strict=True))
 
 
 def _of_sdl():
-    """Return the window as SDL knows it: pygame has no other way to it yet, and says that this one will go.
+    """Return SDL's window. pygame deprecates this way to it, but has no other yet.
 
-    To open another in its place would lose its size to some window managers.
+    With a new window in its place, some window managers would change its size.
     """
     with warnings.catch_warnings(action="ignore", category=DeprecationWarning):
         return pygame.Window.from_display_module()
@@ -193,7 +193,7 @@ def room_on(desktop):
 
 
 def _start_display():
-    """Start the display; refuse a driver that shows nothing unless the user asked for it by name."""
+    """Start the display; refuse a driver without a screen unless the user asked for it by name."""
     asked_for = os.environ.get("SDL_VIDEODRIVER")
     os.environ.setdefault("SDL_WINDOWS_DPI_AWARENESS", "permonitorv2")  # else Windows stretches the window's pixels
     os.environ.setdefault("SDL_VIDEO_X11_WMCLASS", NAME)  # by which a Linux desktop finds the icon

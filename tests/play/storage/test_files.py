@@ -145,7 +145,7 @@ def test_a_single_saved_scene_is_shown_no_larger_than_six(player):
         save(player)
         player.key(pygame.K_o, mod=CTRL)
         if number in (0, 5):
-            sizes.append([rect.size for _, rect in player.toy.gallery._tiles()])
+            sizes.append([player.toy.gallery.tile(each).size for each in range(number + 1)])
         player.key(pygame.K_ESCAPE)
     one, six = sizes
     assert len(one) == 1 and set(six) == set(one)
@@ -164,7 +164,7 @@ def test_of_many_saved_scenes_only_the_pictures_seen_last_are_kept(player, monke
         player.key(key)
         for _ in range(5):
             player.settle()
-        in_sight = [number for number, _ in gallery._tiles()]
+        in_sight = [number for number in range(len(gallery.shelf)) if gallery.tile(number)]
         assert all(gallery.shelf.picture(number) for number in in_sight)
         assert len(gallery.shelf._pictures) <= len(in_sight) + saved_scenes.BATCH + 5 < 60
 

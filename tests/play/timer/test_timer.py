@@ -155,7 +155,7 @@ def test_a_pause_holds_the_time(waiting):
     waiting.pass_time(2)
     waiting.key(pygame.K_SPACE, " ")
     left = waiting.timer.left_s
-    waiting.pass_time(60)
+    waiting.pass_time(60, frame_s=0.5)
     assert waiting.timer.left_s == pytest.approx(left, abs=2 * FRAME_S)
     waiting.key(pygame.K_SPACE, " ")
     waiting.run_out()
