@@ -4,9 +4,9 @@ import time
 
 import pygame
 
-from game.play import splash
 from game.play.app import Toy
-from game.play.ui.theme import Theme
+from game.play.ui import draw_list
+from game.play.ui import theme as look
 from game.play.window.allocator import freeze_objects, return_freed_memory
 from game.play.window.layout import Layout, first_scale, first_size, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
@@ -26,7 +26,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     pygame.font.init()
     if not settings.has("ui_scale"):
         settings["ui_scale"] = first_scale(desktop_size())
-    theme = Theme(settings["ui_scale"])
+    theme = look.Theme(settings["ui_scale"])
     window = Window(_size(scene, settings, cell, theme), fullscreen)
     cell = View.fit(scene.shape, *Layout(theme, window.size, panel_shown=True).sand).cell
     first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures)
@@ -62,7 +62,7 @@ def _size(scene, settings, cell, theme):
 def _start_timer(toy, timer_s):
     toy.timer.set(timer_s)
     toy.timer.start()
-    toy.panel.timer.open = True
+    toy.panel.timer.unfold()
 
 
 def run(toy, later=None):
@@ -88,6 +88,22 @@ def _make_ready(window, theme, worker):
             return False
         number = min(worker.done, len(steps) - 1)
         words = f"Compiling {steps[number][0]} … ({number + 1} of {len(steps)}, once on this machine)"
-        splash.draw_splash(window.surface, theme, words, number / len(steps))
+        _draw_splash(window.surface, theme, words, number / len(steps))
         window.show()
     return True
+
+
+def _draw_splash(surface, theme, what, part):
+    """Fill the window with the title, what is being made ready, and how much of it is done (0 … 1)."""
+    px = theme.px
+    width, height = surface.get_size()
+    surface.fill(theme.rgb(look.SUNKEN))
+    middle = height // 2
+    draw_list.words(
+        surface, theme, (0, middle - px(64), width, px(30)), "Sandglass", look.HEADING, look.BRIGHT_ACCENT, 0.5
+    )
+    draw_list.words(surface, theme, (0, middle - px(32), width, px(24)), what, look.BODY, look.DIM, 0.5)
+    track = pygame.Rect(0, 0, px(220), px(4))
+    track.center = width // 2, middle + px(12)
+    surface.fill(theme.rgb(look.GROOVE), track)
+    surface.fill(theme.rgb(look.ACCENT), (track.x, track.y, round(track.width * part), track.height))

@@ -4,6 +4,7 @@ import numpy as np
 import pygame
 import pytest
 
+from game.play.controls.camera import FEWEST_CELLS, MISTAKE_S
 from game.play.trials import frame_timing
 from game.world.scenes.scene import load_scene
 from tests.play.player import Player
@@ -165,12 +166,63 @@ def test_two_fingers_take_back_no_stroke_that_was_there_before(still):
     assert still.world.grains == grains > 0
 
 
+def pinch(player, seconds_after_the_first_finger):
+    """Paint with a finger, and lay a second one beside it so much later."""
+    one, other = (300, 300), (400, 300)
+    player.frame(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=one, button=1, touch=True))
+    finger(player, pygame.FINGERDOWN, 1, one)
+    player.now_s += seconds_after_the_first_finger
+    finger(player, pygame.FINGERDOWN, 2, other)
+
+
+@pytest.mark.parametrize(("seconds", "stays"), [(MISTAKE_S - 0.1, False), (MISTAKE_S + 0.1, True)])
+def test_a_pinch_undoes_a_stroke_that_has_just_begun_and_leaves_an_older_one(still, seconds, stays):
+    pinch(still, seconds)
+    assert bool(still.world.grains) == stays
+
+
+def test_a_third_finger_neither_zooms_nor_paints(still):
+    pinch(still, 0.1)
+    view = still.toy.display.stage.view
+    finger(still, pygame.FINGERDOWN, 3, (500, 500))
+    for number, pos in ((3, (200, 200)), (1, (150, 420))):
+        finger(still, pygame.FINGERMOTION, number, pos)
+    still.frame(pygame.event.Event(pygame.MOUSEMOTION, pos=(150, 420), rel=(0, 0), buttons=(1, 0, 0), touch=True))
+    assert still.toy.display.stage.view == view and not still.world.grains
+    finger(still, pygame.FINGERUP, 3, (200, 200))
+    place = still.toy.display.stage.view.place(275, 360)  # in the middle of the two that are left
+    finger(still, pygame.FINGERMOTION, 2, (650, 300))
+    assert still.toy.display.stage.view.cell > view.cell
+    assert still.toy.display.stage.view.place(400, 360) == pytest.approx(place)
+
+
+def test_the_wheel_stops_at_whole_pixels_up_to_the_largest_cell(still):
+    cells = []
+    for _ in range(40):
+        wheel(still, 1, still.pixel(60, 45))
+        cells.append(still.toy.display.stage.view.cell)
+    assert all(cell == int(cell) for cell in cells) and cells == sorted(cells)
+    largest, area = cells[-1], still.toy.display.stage.area
+    assert cells[-2] == largest and min(area.size) / largest >= FEWEST_CELLS
+
+
+def test_a_pinch_ends_at_whole_pixels(still):
+    pinch(still, 0.1)
+    finger(still, pygame.FINGERMOTION, 2, (477, 300))
+    assert still.toy.display.stage.view.cell % 1
+    finger(still, pygame.FINGERUP, 2, (477, 300))
+    assert still.toy.display.stage.view.cell % 1 == 0 < still.toy.display.stage.view.cell
+
+
 def test_the_world_does_not_know_who_looks():
     near, far = Player("hourglass"), Player("hourglass")
     for _ in range(20):
         wheel(near, 1, (200, 300))
         far.wait(1)
-    assert near.world.iteration == far.world.iteration and near.world.digest() == far.world.digest()
+    last = max(near.session.now, far.session.now)  # a frame runs as much as there is time for
+    for each in (near, far):
+        each.session.seek(last)
+    assert near.world.digest() == far.world.digest()
     assert near.session.timeline.history.line.before is None
     pygame.display.quit()
 
