@@ -4,7 +4,7 @@ import time
 
 import pygame
 
-from game.play.app import Toy
+from game.play.app import App
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.window.allocator import freeze_objects, return_freed_memory
@@ -34,15 +34,15 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     try:
         if _make_ready(window, theme, worker):
             worker = StepThread(later)
-            toy = Toy(window, scene, seed, p, settings)
-            toy.crash_recovery.start()
+            app = App(window, scene, seed, p, settings)
+            app.parts.crash_recovery.start()
             if recording:
-                toy.files.play(recording, recording.scene.title)
+                app.parts.files.play(recording, recording.scene.title)
             if timer_s is not None:
-                _start_timer(toy, timer_s)
-            run(toy, worker)
+                _start_timer(app, timer_s)
+            run(app, worker)
             pygame.quit()
-            toy.close()
+            app.parts.close()
     finally:
         pygame.quit()
         if companion:
@@ -59,20 +59,20 @@ def _size(scene, settings, cell, theme):
     return remembered if all(remembered) else first_size(scene, theme, desktop_size())
 
 
-def _start_timer(toy, timer_s):
-    toy.timer.set(timer_s)
-    toy.timer.start()
-    toy.panel.timer.unfold()
+def _start_timer(app, timer_s):
+    app.parts.timer.set(timer_s)
+    app.parts.timer.start()
+    app.parts.panel.timer.unfold()
 
 
-def run(toy, later=None):
-    """Run frames until the toy stops; later: the StepThread at what its first frames do not need, if any."""
+def run(app, later=None):
+    """Run frames until the player quits; later: the StepThread at what its first frames do not need, if any."""
     pace = pygame.time.Clock()
     before = time.perf_counter_ns()
-    while toy.running:
+    while app.parts.running:
         now = time.perf_counter_ns()
         pointer = pygame.mouse.get_pos() if pygame.mouse.get_focused() else None
-        toy.frame(pygame.event.get(), now - before, now / 1e9, pointer)
+        app.frame(pygame.event.get(), now - before, now / 1e9, pointer)
         before = now
         if later and later.wait(0):
             freeze_objects()

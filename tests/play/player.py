@@ -1,10 +1,10 @@
-"""A player at the toy: hands that press keys and buttons, under the dummy video driver."""
+"""A player at the window: hands that press keys and buttons, under the dummy video driver."""
 
 import time
 
 import pygame
 
-from game.play.app import Toy
+from game.play.app import App
 from game.play.window.window import Window
 from game.world.scenes.scene import load_scene
 
@@ -15,21 +15,25 @@ class Player:
     """Hands that press keys and buttons, and a clock that ticks as told."""
 
     def __init__(self, scene="blank", size=(900, 700), settings=None):
-        self.toy = Toy(Window(size), load_scene(scene, (120, 90) if scene == "blank" else None), settings=settings)
+        self.app = App(Window(size), load_scene(scene, (120, 90) if scene == "blank" else None), settings=settings)
         self.now_s, self.pointer = 100.0, None
         self.wait(0)
 
     @property
+    def parts(self):
+        return self.app.parts
+
+    @property
     def session(self):
-        return self.toy.sessions.now
+        return self.parts.sessions.now
 
     @property
     def world(self):
-        return self.toy.sessions.now.world
+        return self.parts.sessions.now.world
 
     def frame(self, *events, elapsed_ns=FRAME_NS):
         self.now_s += elapsed_ns / 1e9
-        return self.toy.frame(list(events), elapsed_ns, self.now_s, self.pointer)
+        return self.app.frame(list(events), elapsed_ns, self.now_s, self.pointer)
 
     def wait(self, frames):
         for _ in range(frames + 1):
@@ -55,7 +59,7 @@ class Player:
     def settle(self):
         """Play frames in which no time passes until the background has nothing left to do."""
         self.frame(elapsed_ns=0)
-        while self.toy.background.busy:
+        while self.parts.background.busy:
             time.sleep(0.002)
             self.frame(elapsed_ns=0)
 
@@ -78,17 +82,17 @@ class Player:
 
     def pixel(self, column, row):
         """Return the pixel in the middle of a cell."""
-        x, y = self.toy.display.stage.view.pixel(column + 0.5, row + 0.5)
+        x, y = self.parts.display.stage.view.pixel(column + 0.5, row + 0.5)
         return int(x), int(y)
 
     def control(self, name, share=0.5):
         """Scroll to a control and return the place at `share` of the way along its moving part."""
-        part = self.parts(name)[0]
+        part = self.parts_of(name)[0]
         return int(part.left + share * part.width), part.centery
 
-    def parts(self, name):
+    def parts_of(self, name):
         """Scroll to a control and return the rects of its parts, or its own."""
-        ui = self.toy.panel.ui
+        ui = self.parts.panel.ui
         ring = ui.focus.slots[name].ring
         ui.focus.scroll.reveal(ring.top, ring.bottom)
         self.frame(elapsed_ns=0)

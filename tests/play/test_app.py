@@ -1,4 +1,4 @@
-"""The toy in its window, driven by events as a person gives them, under the dummy video driver."""
+"""The window, driven by events as a person gives them, under the dummy video driver."""
 
 import numpy as np
 import pygame
@@ -24,7 +24,7 @@ def test_sand_appears_where_the_pointer_went_and_the_stroke_has_no_gaps(player):
 
 def test_a_pointer_that_jumps_in_many_steps_paints_every_cell_between(player):
     player.hold_time()
-    player.toy.brush.diameter = 1
+    player.parts.brush.diameter = 1
     player.drag(*(player.pixel(x, y) for x, y in [(5, 5), (100, 8), (100, 80), (7, 33)]))
     rows, columns = np.nonzero(player.world.sand)
     reached = {(5, 5)}
@@ -67,7 +67,7 @@ def test_sand_leaves_walls_standing_unless_asked(player):
     player.key(pygame.K_s, "s")
     player.drag(player.pixel(60, 30), player.pixel(60, 50))
     assert (player.world.walls == walls).all() and player.world.sand.any()
-    player.toy.brush.over_walls = True
+    player.parts.brush.over_walls = True
     player.drag(player.pixel(60, 30), player.pixel(60, 50))
     assert player.world.sand[40, 60] and not player.world.walls[40, 60]
 
@@ -83,29 +83,29 @@ def test_the_eraser_takes_sand_and_walls(player):
 def test_keys_choose_tool_and_size(player):
     for code, tool in ((pygame.K_w, "wall"), (pygame.K_x, "erase"), (pygame.K_s, "sand")):
         player.key(code)
-        assert player.toy.brush.material == tool
-    before = player.toy.brush.diameter
+        assert player.parts.brush.material == tool
+    before = player.parts.brush.diameter
     player.key(pygame.K_RIGHTBRACKET, "]")
-    assert player.toy.brush.diameter == before + 1
+    assert player.parts.brush.diameter == before + 1
     player.key(pygame.K_LEFTBRACKET, "[")
     player.pointer = player.pixel(60, 40)
     player.frame(pygame.event.Event(pygame.MOUSEWHEEL, x=0, y=-2, flipped=False))
-    assert player.toy.brush.diameter == before - 2
+    assert player.parts.brush.diameter == before - 2
 
 
 @pytest.mark.parametrize("mod", [pygame.KMOD_RALT, pygame.KMOD_MODE, pygame.KMOD_RALT | pygame.KMOD_LCTRL])
 def test_brackets_that_a_layout_types_with_alt_gr_are_heard(player, mod):
-    before = player.toy.brush.diameter
+    before = player.parts.brush.diameter
     player.key(pygame.K_9, "]", mod)
-    assert player.toy.brush.diameter == before + 1
+    assert player.parts.brush.diameter == before + 1
     player.key(pygame.K_8, "[", mod)
-    assert player.toy.brush.diameter == before
+    assert player.parts.brush.diameter == before
 
 
 def test_alt_alone_gives_no_command(player):
-    before = player.toy.brush.diameter
+    before = player.parts.brush.diameter
     player.key(pygame.K_RIGHTBRACKET, "]", pygame.KMOD_LALT)
-    assert player.toy.brush.diameter == before
+    assert player.parts.brush.diameter == before
 
 
 def test_space_holds_time_and_a_period_steps_one_iteration(glass):
@@ -141,7 +141,7 @@ def test_r_starts_the_scene_again(glass):
 
 
 def test_r_leaves_friction_and_speed_as_they_were_set_and_one_undo_takes_it_back(glass):
-    glass.toy.sessions.do(SetRule(Rule.with_p(0.2)))
+    glass.parts.sessions.do(SetRule(Rule.with_p(0.2)))
     glass.session.clock.speed = 333.0
     glass.wait(20)
     glass.hold_time()
@@ -167,18 +167,20 @@ def test_plus_and_minus_change_the_speed(glass):
 
 
 def test_escape_closes_what_is_open_and_quits_when_it_is_pressed_twice(glass):
-    toy, own = glass.toy, glass.session
+    parts, own = glass.parts, glass.session
     shown = "help", "cursor", "plots", "forecast", "fullscreen"
     for command in (*(f"view.toggle_{each}" for each in shown), "sand.compare"):
-        toy.commands.give(command)
+        parts.commands.give(command)
         glass.wait(2)
     for _ in range(7):
-        assert toy.running
+        assert parts.running
         glass.key(pygame.K_ESCAPE)
-    assert not (toy.help.shown or toy.cursor.on or toy.plots.shown or toy.forecasting.shown or toy.window.fullscreen)
-    assert toy.sessions.now is own and toy.running
+    assert not (
+        parts.help.shown or parts.cursor.on or parts.plots.shown or parts.forecasting.shown or parts.window.fullscreen
+    )
+    assert parts.sessions.now is own and parts.running
     glass.key(pygame.K_ESCAPE)
-    assert not toy.running
+    assert not parts.running
 
 
 def test_one_escape_alone_does_not_quit(glass, monkeypatch):
@@ -187,7 +189,7 @@ def test_one_escape_alone_does_not_quit(glass, monkeypatch):
     for _ in range(3):
         now_s[0] += view_commands.TWICE_S + 0.1
         glass.key(pygame.K_ESCAPE)
-        assert glass.toy.running
+        assert glass.parts.running
 
 
 def test_the_p_slider_sets_both_topples(glass):
@@ -236,7 +238,7 @@ def test_less_p_makes_the_pile_thinner():
 
 def test_the_scene_list_loads_another_scene(glass):
     glass.click(glass.control("Scene"))
-    glass.click(glass.toy.panel.ui.parts("Scene")[1].center)
+    glass.click(glass.parts.panel.ui.parts("Scene")[1].center)
     assert glass.session.scene.name == "paper" and glass.world.shape == (61, 61)
 
 
@@ -246,9 +248,9 @@ def test_resizing_the_window_does_not_touch_the_sand(glass):
     for size in ((640, 480), (1600, 900), (701, 533)):
         pygame.display.set_mode(size, pygame.RESIZABLE, 32)
         glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-        view = glass.toy.display.stage.view
+        view = glass.parts.display.stage.view
         assert view.left >= 0 and view.top >= 0
-        area = glass.toy.display.layout.sand
+        area = glass.parts.display.layout.sand
         assert view.left + view.width <= area.right and view.top + view.height <= area.bottom
     assert glass.world.digest() == before
 
@@ -262,8 +264,8 @@ def test_an_idle_frame_draws_nothing(glass):
 def test_what_is_drawn_is_the_world(glass):
     glass.session.paused = True
     glass.wait(2)
-    surface, world = glass.toy.window.surface, glass.world
-    colours = glass.toy.display.colours
+    surface, world = glass.parts.window.surface, glass.world
+    colours = glass.parts.display.colours
     for row, column in np.random.default_rng(0).integers((0, 0), world.shape, (300, 2)):
         found = surface.get_at(glass.pixel(column, row))[:3]
         near = {look for look, (dark, light) in colours.looks("glass").items() if dark <= found <= light}
@@ -286,44 +288,44 @@ def test_the_window_and_the_bare_session_move_the_same_sand(glass):
 
 
 def test_the_panel_can_be_hidden(glass):
-    wide = glass.toy.display.layout.sand.width
+    wide = glass.parts.display.layout.sand.width
     glass.key(pygame.K_p, "p")
-    assert glass.toy.display.layout.sand.width == 900 > wide
+    assert glass.parts.display.layout.sand.width == 900 > wide
     glass.click((850, 300))
-    assert glass.toy.running
+    assert glass.parts.running
     glass.key(pygame.K_p, "p")
-    assert glass.toy.display.layout.sand.width == wide
+    assert glass.parts.display.layout.sand.width == wide
 
 
 def test_closing_the_window_ends_the_loop(glass):
     glass.frame(pygame.event.Event(pygame.QUIT))
-    assert not glass.toy.running
+    assert not glass.parts.running
 
 
 def test_nothing_of_the_outline_stays_behind(glass):
     rng = np.random.default_rng(5)
     for number in range(60):
         glass.session.paused = number % 3 == 0
-        glass.toy.brush.diameter = int(rng.integers(1, 60))
+        glass.parts.brush.diameter = int(rng.integers(1, 60))
         glass.pointer = tuple(int(part) for part in rng.integers((-20, -20), (700, 720)))
         glass.frame()
     glass.session.paused, glass.pointer = True, None
     glass.frame()
-    shown = pygame.surfarray.array2d(glass.toy.window.surface)
-    glass.toy.display.stage.refresh()
+    shown = pygame.surfarray.array2d(glass.parts.window.surface)
+    glass.parts.display.stage.refresh()
     glass.frame()
-    fresh = pygame.surfarray.array2d(glass.toy.window.surface)
-    area = glass.toy.display.layout.sand
+    fresh = pygame.surfarray.array2d(glass.parts.window.surface)
+    area = glass.parts.display.layout.sand
     assert (shown[: area.width, : area.height] == fresh[: area.width, : area.height]).all()
 
 
 def test_the_help_page_leaves_no_trace(glass):
     glass.session.paused = True
     glass.wait(2)
-    before = pygame.surfarray.array2d(glass.toy.window.surface)
+    before = pygame.surfarray.array2d(glass.parts.window.surface)
     glass.key(pygame.K_F1)
-    assert (pygame.surfarray.array2d(glass.toy.window.surface) != before).any()
+    assert (pygame.surfarray.array2d(glass.parts.window.surface) != before).any()
     glass.key(pygame.K_F1)
-    area = glass.toy.display.layout.sand
-    after = pygame.surfarray.array2d(glass.toy.window.surface)
+    area = glass.parts.display.layout.sand
+    after = pygame.surfarray.array2d(glass.parts.window.surface)
     assert (after[: area.width, : area.height] == before[: area.width, : area.height]).all()

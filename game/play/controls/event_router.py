@@ -49,7 +49,7 @@ class EventRouter:
             brush.handle_event(event, self._display.stage.view)
         elif self._time_bar.handle_event(event):
             brush.let_go()
-        elif pressed and event.button == LEFT and layout.hud.collidepoint(event.pos):
+        elif pressed and event.button == LEFT and layout.status_line.collidepoint(event.pos):
             self._stats_card.toggle()
         elif pressed and layout.sand.collidepoint(event.pos):
             brush.handle_event(event, self._display.stage.view)

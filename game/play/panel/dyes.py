@@ -1,7 +1,7 @@
 """The dyes: the swatches under the tools, from which the brush takes the colour of its sand."""
 
-from game.core.draw.cells import GRAIN
 from game.play.ui.swatches import swatches
+from game.world.looks.themes import GRAIN
 from game.world.sand.sand_colours import COLOURS, DYES
 
 

@@ -91,7 +91,7 @@ class Panel:
         if ui.button("Step", key=".", tip="Lets the sand move by one iteration"):
             commands.time.step()
         ui.button(FAST, key="Right", tip="Hold it: time goes as fast as the frames can hold")
-        toy.ahead.hold(ui.focus.held == FAST)
+        toy.fast_forward.hold(ui.focus.held == FAST)
         ui.row(2)
         if ui.button("Settle", key="End", tip="Runs until nothing can move any more"):
             commands.time.settle()

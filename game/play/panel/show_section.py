@@ -40,5 +40,5 @@ def show(ui, toy):
         ):
             plots.save()
     tip = "Frames, iterations, the books of the grains and memory; so does pointing at the line under the sand"
-    if ui.toggle("Figures", toy.figures.kept, tip=tip) != toy.figures.kept:
-        toy.figures.toggle()
+    if ui.toggle("Figures", toy.stats_card.kept, tip=tip) != toy.stats_card.kept:
+        toy.stats_card.toggle()

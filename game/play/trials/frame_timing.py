@@ -1,4 +1,4 @@
-"""Times the toy in its own window: where a frame's time goes, and how soon the first one is there.
+"""Times the program in its own window: where a frame's time goes, and how soon the first one is there.
 
 `python -m game.play.trials.frame_timing --help` says how; the bench runs it in a process of its own.
 """
@@ -13,7 +13,7 @@ import numpy as np
 import pygame
 
 from game.play import loop
-from game.play.app import Toy
+from game.play.app import App
 from game.play.ui.theme import Theme
 from game.play.window import layout
 from game.play.window.window import Window
@@ -26,10 +26,15 @@ from game.world.scenes.scene import load_scene
 FRAME_NS = 10**9 // loop.FRAMES_PER_SECOND
 WARM_UP = 5  # frames before the count: the first ones draw everything and fill caches of rendered text
 STAGES = {  # what each stage is made of; the rest of a frame is "other"
-    "stepping": lambda toy: [(toy.sessions.now, "frame")],
-    "drawing": lambda toy: [(toy.window, "paint")],
-    "panel": lambda toy: [(toy.panel, "lay_out"), (toy.panel.ui, "end"), (toy.hud, "drawing"), (toy.hud, "update")],
-    "present": lambda toy: [(toy.window, "show")],
+    "stepping": lambda app: [(app.parts.sessions.now, "frame")],
+    "drawing": lambda app: [(app.parts.window, "paint")],
+    "panel": lambda app: [
+        (app.parts.panel, "lay_out"),
+        (app.parts.panel.ui, "end"),
+        (app.parts.status_line, "drawing"),
+        (app.parts.status_line, "update"),
+    ],
+    "present": lambda app: [(app.parts.window, "show")],
 }
 
 
@@ -53,38 +58,38 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
             act()
     for _, act in later_steps(scene.rule) if shown else ():
         act()
-    toy = Toy(window, scene, p=p)
-    toy.settings["smooth_streams"] = smooth
-    toy.sessions.now.clock.speed = iterations * loop.FRAMES_PER_SECOND
+    app = App(window, scene, p=p)
+    app.parts.settings["smooth_streams"] = smooth
+    app.parts.sessions.now.clock.speed = iterations * loop.FRAMES_PER_SECOND
     for name in shown:
-        toy.commands.give(SHOWN[name])
+        app.parts.commands.give(SHOWN[name])
     spent = Counter()
-    _watch(toy, spent)
+    _watch(app, spent)
     played = []  # each frame's nanoseconds by stage
     forecasts = {}  # the runs of each question that was answered
     for number in range(WARM_UP + count):
         if number == WARM_UP:
-            first, begin = toy.sessions.now.world.iteration, time.perf_counter()
+            first, begin = app.parts.sessions.now.world.iteration, time.perf_counter()
             forecasts.clear()
         spent.clear()
-        _play_frame(toy, spent, number * FRAME_NS / 1e9)
+        _play_frame(app, spent, number * FRAME_NS / 1e9)
         played.append(dict(spent))
         if number == 0 and cell:  # the stage is there from the first frame on
-            toy.camera.zoom_to(cell)
-        if toy.forecasting.answer:
-            forecasts[toy.forecasting.answer.question] = toy.forecasting.answer.runs
+            app.parts.camera.zoom_to(cell)
+        if app.parts.forecasting.answer:
+            forecasts[app.parts.forecasting.answer.request] = app.parts.forecasting.answer.runs
     seconds = time.perf_counter() - begin
-    report = _report(toy, scene, played[WARM_UP:], toy.sessions.now.world.iteration - first)
-    toy.close()
+    report = _report(app, scene, played[WARM_UP:], app.parts.sessions.now.world.iteration - first)
+    app.parts.close()
     if forecasts:
         report["forecast"] = {"per_second": len(forecasts) / seconds, "runs": statistics.median(forecasts.values())}
     return report | {"shown": list(shown)}
 
 
-def _watch(toy, spent):
+def _watch(app, spent):
     """Let each stage add its time to `spent`."""
     for stage, parts in STAGES.items():
-        for holder, name in parts(toy):
+        for holder, name in parts(app):
             setattr(holder, name, _timed(getattr(holder, name), stage, spent))
 
 
@@ -99,32 +104,32 @@ def _timed(act, stage, spent):
     return timed
 
 
-def _play_frame(toy, spent, now_s):
+def _play_frame(app, spent, now_s):
     """Play one frame of a sixtieth of a second, as the loop does."""
     start = time.perf_counter_ns()
     events = pygame.event.get()
     spent["events"] = time.perf_counter_ns() - start
-    toy.frame(events, FRAME_NS, now_s)
+    app.frame(events, FRAME_NS, now_s)
     spent["frame"] = time.perf_counter_ns() - start
     spent["other"] = 2 * spent["frame"] - sum(spent.values())
 
 
-def _report(toy, scene, played, iterations):
+def _report(app, scene, played, iterations):
     """Return what the frames took, and whether the world shown is the one that a run without a window gives."""
-    world = toy.sessions.now.world
+    world = app.parts.sessions.now.world
     twin = scene.world(world.seed)
-    advance(twin, toy.sessions.now.rule, world.iteration)
+    advance(twin, app.parts.sessions.now.rule, world.iteration)
     columns = {stage: [each.get(stage, 0) / 1e6 for each in played] for stage in (*STAGES, "events", "other", "frame")}
     whole = columns.pop("frame")
     return {
         "scene": scene.name,
         "cells": scene.shape[::-1],
-        "window": toy.window.size,
-        "pixels_per_cell": toy.display.stage.view.cell,
+        "window": app.parts.window.size,
+        "pixels_per_cell": app.parts.display.stage.view.cell,
         "driver": pygame.display.get_driver(),
         "frames": len(played),
         "iterations": iterations,
-        "smooth": toy.sessions.now.streams is not None and toy.sessions.now.streams.follows(world),
+        "smooth": app.parts.sessions.now.streams is not None and app.parts.sessions.now.streams.follows(world),
         "stage_ms": {stage: statistics.mean(column) for stage, column in columns.items()},
         "frame_ms": {
             "mean": statistics.mean(whole),
@@ -137,9 +142,9 @@ def _report(toy, scene, played, iterations):
 
 
 def start_up(since_ns):
-    """Start the toy, stop it after its first frame, and return when each part was there, in seconds after `since_ns`.
+    """Start the program, stop it after its first frame, and return when each part was there, in seconds.
 
-    since_ns: time.time_ns() when the process was started.
+    since_ns: time.time_ns() when the process was started, from which the seconds count.
     """
     marks = {}
 
@@ -149,9 +154,9 @@ def start_up(since_ns):
     mark("imported")
     _after(Window, "__init__", lambda *_: mark("window"))
     _after(Window, "show", lambda *_: "window" in marks and mark("splash"))
-    _after(Toy, "frame", lambda toy: (mark("playing"), setattr(toy, "running", False)))
+    _after(App, "frame", lambda app: (mark("playing"), setattr(app.parts, "running", False)))
     driver = []
-    _after(Toy, "frame", lambda *_: driver.append(pygame.display.get_driver()))
+    _after(App, "frame", lambda *_: driver.append(pygame.display.get_driver()))
     loop.play(load_scene("hourglass"), Settings())
     return {"marks_s": marks, "driver": driver[0]}
 

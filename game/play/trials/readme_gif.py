@@ -8,13 +8,12 @@ import sys
 
 import numpy as np
 
-from game.core.draw.cells import AIR
 from game.play.storage.gif_writer import GifWriter
 from game.play.view.turn_animation import TURN_S, TurnAnimation
 from game.world.files.atomic import FileError
 from game.world.looks.motion_samples import MotionSamples
 from game.world.looks.painter import Painter
-from game.world.looks.themes import NIGHT, rgb
+from game.world.looks.themes import AIR, NIGHT, rgb
 from game.world.looks.view import View
 from game.world.sand.advance import advance
 from game.world.scenes.scene import load_scene

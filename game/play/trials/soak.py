@@ -18,7 +18,7 @@ from collections import deque
 import pygame
 
 from game.core import jit
-from game.play.app import Toy
+from game.play.app import App
 from game.play.trials.random_input import Hand
 from game.play.window.allocator import freeze_objects, resident_mb, return_freed_memory
 from game.play.window.window import Window
@@ -38,11 +38,11 @@ SCENES = "hourglass", "ledges", "galton", "fullhd", "blank", "paper", "maze"
 
 
 class SoakError(Exception):
-    """Something is wrong with the toy."""
+    """Something is wrong with the window."""
 
 
 class Soak:
-    """The toy, the hand that uses it, and what is known about it so far."""
+    """The window, the hand that uses it, and what is known about it so far."""
 
     def __init__(self, seed):
         return_freed_memory()
@@ -51,8 +51,8 @@ class Soak:
         window, scene = Window(SIZE), load_scene(SCENES[0])
         for _, act in (*kernel_warmup.steps(scene.rule, scene.made_of), *kernel_warmup.later_steps(scene.rule)):
             act()
-        self.toy = Toy(window, scene, settings=settings)
-        self.toy.crash_recovery.start()
+        self.app = App(window, scene, settings=settings)
+        self.app.parts.crash_recovery.start()
         freeze_objects()
         self.hand = Hand(seed)
         self.frames = self.acts = 0
@@ -63,7 +63,7 @@ class Soak:
         self._ready = jit.ready()
 
     def run(self, seconds, say):
-        """Play for so long; raise SoakError, or whatever the toy raises, for the first thing that is wrong."""
+        """Play for so long; raise SoakError, or whatever the window raises, for the first thing that is wrong."""
         start = before = time.perf_counter()
         told, least_mb = 0, None
         while before - start < seconds:
@@ -81,10 +81,10 @@ class Soak:
 
     def told(self, used_mb):
         """Return how it stands, in one line."""
-        world, past = self.toy.sessions.now.world, self.toy.sessions.now.past_bytes / 2**20
+        world, past = self.app.parts.sessions.now.world, self.app.parts.sessions.now.past_bytes / 2**20
         slow = ", ".join(map(_name, self.slow)) or "no event"
         return (
-            f"{self.frames:,} frames, {self.acts:,} events, {self.toy.sessions.now.scene.name}: "
+            f"{self.frames:,} frames, {self.acts:,} events, {self.app.parts.sessions.now.scene.name}: "
             f"{world.grains:,} grains, "
             f"{used_mb:.0f} MB, {past:.0f} of them the past, longest frame {self.longest_s * 1e3:.0f} ms, "
             f"{self.worked_s * 1e3:.0f} at work ({slow}){self._compiled()}"
@@ -96,21 +96,21 @@ class Soak:
         return "".join(f", {name}{types} was not ready" for name, types in sorted(late))
 
     def _frame(self, now_s, elapsed_s, since_s):
-        toy = self.toy
+        app = self.app
         worked_s = time.thread_time()
         busy = BUSY if since_s // CALM_S % 2 == 0 else CALM
-        events = self.hand.events(toy.window.size, busy)
-        if toy.display.page and self.frames % LONGEST_PAGE == 0:
+        events = self.hand.events(app.parts.window.size, busy)
+        if app.parts.display.page and self.frames % LONGEST_PAGE == 0:
             events.append(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_ESCAPE, mod=0, unicode=""))
         self.recent.extend(events)
         self.acts += len(events)
         if since_s // RESTART_S > self._opened:
             self._opened += 1
-            toy.sessions.load(SCENES[self._opened % len(SCENES)])
-        toy.frame(events, round(elapsed_s * 1e9), now_s, self.hand.pointer)
-        toy.running = True  # whatever the hand did to leave
-        if toy.sessions.now.memory_mb > MEMORY_MB:  # the hand has found the slider
-            toy.sessions.now.limit_memory(MEMORY_MB)
+            app.parts.sessions.load(SCENES[self._opened % len(SCENES)])
+        app.frame(events, round(elapsed_s * 1e9), now_s, self.hand.pointer)
+        app.parts.running = True  # whatever the hand did to leave
+        if app.parts.sessions.now.memory_mb > MEMORY_MB:  # the hand has found the slider
+            app.parts.sessions.now.limit_memory(MEMORY_MB)
         self.frames += 1
         took_s = time.perf_counter() - now_s
         if took_s > self.longest_s:
@@ -118,7 +118,7 @@ class Soak:
         self._audit()
 
     def _audit(self):
-        session = self.toy.sessions.now
+        session = self.app.parts.sessions.now
         if not session.account.balanced(session.world):
             raise SoakError(f"{session.world.grains} grains, wanted {session.account.expected}")
 
@@ -130,7 +130,7 @@ def _name(event):
 
 
 def main(arguments=None):
-    """Soak the toy and return the exit status."""
+    """Soak the window and return the exit status."""
     parser = argparse.ArgumentParser(
         prog="python -m game.play.trials.soak", description="The window under random input."
     )
@@ -143,7 +143,7 @@ def main(arguments=None):
         soak = Soak(options.seed)
         try:
             soak.run(60 * options.minutes, lambda line: print(line, flush=True))
-            soak.toy.close()
+            soak.app.parts.close()
         except Exception as error:
             if not isinstance(error, SoakError):
                 traceback.print_exc()

@@ -16,7 +16,7 @@ from pathlib import Path
 import numpy as np
 import pygame
 
-from game.play.app import Toy
+from game.play.app import App
 from game.play.timer.timer import RUNNING
 from game.play.window.wall_clock import wall_clock
 from game.play.window.window import Window
@@ -84,57 +84,61 @@ def play(trial, seed):
     window = Window(WINDOW)
     for _, act in (*steps(scene.rule, scene.made_of), *later_steps(scene.rule)):
         act()
-    toy = Toy(window, scene, seed)
-    acts = _acts(trial, toy, np.random.default_rng(seed))
+    app = App(window, scene, seed)
+    acts = _acts(trial, app, np.random.default_rng(seed))
     losses = np.random.default_rng(seed + 1)
     pace, began_s = pygame.time.Clock(), wall_clock()
-    toy.timer.set(trial.seconds)
-    toy.timer.start()
+    app.parts.timer.set(trial.seconds)
+    app.parts.timer.start()
     before = time.perf_counter_ns()
     worst_s, last_frame_s, shown_s = 0.0, 0.0, began_s
-    while toy.timer.state == RUNNING:
+    while app.parts.timer.state == RUNNING:
         while acts and wall_clock() - began_s >= acts[0][0]:
             acts.pop(0)[1]()
         now = time.perf_counter_ns()
-        toy.frame(pygame.event.get(), now - before, now / 1e9)
+        app.frame(pygame.event.get(), now - before, now / 1e9)
         before = now
         last_frame_s, shown_s = wall_clock() - shown_s, wall_clock()
         worst_s = max(worst_s, last_frame_s)
         if trial.losses and losses.random() < LOSS:
             time.sleep(losses.uniform(0.05, LONGEST_LOSS_S))
         pace.tick(FRAMES_PER_SECOND)
-    fallen = "The last grain fell" in toy.timer.said and toy.sessions.now.account.balanced(toy.sessions.now.world)
-    toy.planner.close()
+    fallen = "The last grain fell" in app.parts.timer.said and app.parts.sessions.now.account.balanced(
+        app.parts.sessions.now.world
+    )
+    app.parts.planner.close()
     return {
         "late_s": shown_s - began_s - trial.seconds,
         "frame_s": last_frame_s,
         "worst_frame_s": worst_s,
         "fallen": fallen,
-        "iterations": toy.sessions.now.now,
+        "iterations": app.parts.sessions.now.now,
     }
 
 
-def _acts(trial, toy, draw):
+def _acts(trial, app, draw):
     """Return [(second, act)], what a player does on the way, in order."""
     acts = []
     at = lambda low, high: trial.seconds * draw.uniform(low, high)  # noqa: E731
     if trial.strokes:
         for _ in range(3):
-            acts.append((at(0.1, 0.9), lambda: _stroke(toy, draw)))
+            acts.append((at(0.1, 0.9), lambda: _stroke(app, draw)))
     if trial.flips:
-        acts.append((at(0.3, 0.7), toy.commands.sand.flip))
+        acts.append((at(0.3, 0.7), app.parts.commands.sand.flip))
     if trial.changes:
-        acts.append((at(0.2, 0.5), lambda: toy.sessions.do(SetRule(Rule.with_p(draw.uniform(0.3, 1.0), "balanced")))))
-        acts.append((at(0.5, 0.6), lambda: toy.sessions.do(Load(scene_of(glass_for(trial.seconds * 0.8)), 7))))
+        acts.append(
+            (at(0.2, 0.5), lambda: app.parts.sessions.do(SetRule(Rule.with_p(draw.uniform(0.3, 1.0), "balanced"))))
+        )
+        acts.append((at(0.5, 0.6), lambda: app.parts.sessions.do(Load(scene_of(glass_for(trial.seconds * 0.8)), 7))))
     return sorted(acts, key=lambda each: each[0])
 
 
-def _stroke(toy, draw):
+def _stroke(app, draw):
     """Paint a stroke of sand somewhere in the upper half."""
-    height, width = toy.sessions.now.world.shape
+    height, width = app.parts.sessions.now.world.shape
     x, y = width * draw.uniform(0.4, 0.6), height * draw.uniform(0.15, 0.35)
     for step in range(6):
-        toy.sessions.do(Paint("sand", (x + step, y), (x + step + 1, y), 4), join=step > 0)
+        app.parts.sessions.do(Paint("sand", (x + step, y), (x + step + 1, y), 4), join=step > 0)
 
 
 def run(wanted, together):

@@ -48,7 +48,7 @@ class Renderer:
         if frame.status_line != self._line:
             self._line = frame.status_line
             draw_list.draw(surface, theme, self._line)
-            rects.append(layout.hud)
+            rects.append(layout.status_line)
         rects += frame.plots.draw(surface)
         if frame.controls and frame.controls.end(surface):
             rects.append(layout.panel)

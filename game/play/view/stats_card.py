@@ -46,7 +46,7 @@ class StatsCard:
 
     def follow(self, pointer, now_s):
         """Note where the pointer is, in the window."""
-        here = pointer is not None and self._display.layout.hud.collidepoint(pointer)
+        here = pointer is not None and self._display.layout.status_line.collidepoint(pointer)
         if not here:
             self._since_s, self._pointed = None, False
         elif self._since_s is None:

@@ -33,7 +33,7 @@ class Layout:
         bar, line = theme.px(TIME_BAR), theme.px(STATUS_LINE)
         self.sand = pygame.Rect(0, 0, wide, height - bar - line)
         self.bar = pygame.Rect(0, self.sand.bottom, wide, bar)
-        self.hud = pygame.Rect(0, height - line, wide, line)
+        self.status_line = pygame.Rect(0, height - line, wide, line)
         self.plots = None  # or their rect, where there is room for them
         if plotted:
             self._make_room(theme, plotted)

@@ -26,7 +26,7 @@ SCENE = scene_of(small_glass(60))
 def watcher():
     """Return a player with a small glass, whose time is held."""
     player = Player("hourglass", size=(700, 560))
-    player.toy.sessions.open_scene(SCENE, 4)
+    player.parts.sessions.open_scene(SCENE, 4)
     player.session.paused = True
     player.wait(0)
     yield player
@@ -37,7 +37,7 @@ def go_on(player, frames=400):
     """Play frames until nothing runs ahead any more."""
     for _ in range(frames):
         player.settle()
-        if player.toy.ahead.due() is None:
+        if player.parts.fast_forward.due() is None:
             return
     pytest.fail("it runs for ever")
 
@@ -75,7 +75,7 @@ def test_a_held_key_goes_no_further_than_to_rest(watcher, let_go):
     watcher.press(pygame.K_RIGHT)
     for _ in range(400):
         watcher.frame()
-        if let_go and watcher.toy.ahead._narrowing:
+        if let_go and watcher.parts.fast_forward._narrowing:
             watcher.release(pygame.K_RIGHT)
             break
     watcher.settle()
@@ -83,29 +83,31 @@ def test_a_held_key_goes_no_further_than_to_rest(watcher, let_go):
     twin = Session(SCENE, 4)
     twin.timeline.run(watcher.world.iteration - 1)
     assert not at_rest(twin.world, twin.rule) and at_rest(watcher.world, watcher.session.rule)
-    assert watcher.session.reached == watcher.session.now and not (let_go and watcher.toy.ahead.due() is not None)
+    assert watcher.session.reached == watcher.session.now and not (
+        let_go and watcher.parts.fast_forward.due() is not None
+    )
 
 
 def test_the_key_belongs_to_a_control_that_has_the_keyboard(watcher):
     watcher.click(watcher.control("p"))
     watcher.press(pygame.K_RIGHT)
     watcher.wait(3)
-    assert watcher.world.iteration == 0 and not watcher.toy.ahead.held
+    assert watcher.world.iteration == 0 and not watcher.parts.fast_forward.held
 
 
 def test_a_button_that_was_clicked_keeps_neither_right_nor_escape_to_itself(watcher):
     watcher.click(watcher.control("Compare"))
     watcher.settle()
-    assert len(watcher.toy.sessions.waiting) == 1
+    assert len(watcher.parts.sessions.waiting) == 1
     watcher.key(pygame.K_ESCAPE)
-    assert not watcher.toy.sessions.waiting
+    assert not watcher.parts.sessions.waiting
     watcher.click(watcher.control("Flip"))
     watcher.now_s += 10
     watcher.wait(2)
     at = watcher.world.iteration
     watcher.press(pygame.K_RIGHT)
     watcher.wait(3)
-    assert watcher.toy.ahead.held and watcher.world.iteration > at
+    assert watcher.parts.fast_forward.held and watcher.world.iteration > at
 
 
 def test_the_button_is_held_as_well(watcher):
@@ -124,7 +126,7 @@ def test_settle_stops_at_the_iteration_from_which_nothing_moves(watcher):
     go_on(watcher)
     session = watcher.session
     assert at_rest(session.world, session.rule) and same_as_at_own_pace(session)
-    assert f"after {session.world.iteration:,} iterations" in watcher.toy.notices.text
+    assert f"after {session.world.iteration:,} iterations" in watcher.parts.notices.text
     still = session.world.sand
     session.seek(session.now - 1)
     assert not at_rest(session.world, session.rule) and (session.world.sand != still).any()
@@ -134,7 +136,7 @@ def test_settled_sand_needs_no_iteration(watcher):
     for _ in range(2):
         watcher.key(pygame.K_END)
         go_on(watcher)
-    assert watcher.toy.notices.text == "Nothing can move here."
+    assert watcher.parts.notices.text == "Nothing can move here."
 
 
 def test_the_next_flow_is_the_iteration_at_which_a_grain_passes(watcher):
@@ -158,14 +160,14 @@ def test_a_key_that_went_down_with_shift_is_no_other_when_shift_comes_up_first(w
         go_on(watcher)
         assert neck.grains_above(watcher.world) < before
         watcher.press(pygame.K_RIGHT)
-        assert not watcher.toy.ahead.held
+        assert not watcher.parts.fast_forward.held
         watcher.release(pygame.K_RIGHT)
 
 
 def test_the_key_comes_up_whatever_else_is_held(watcher):
     watcher.press(pygame.K_RIGHT)
     watcher.release(pygame.K_RIGHT, pygame.KMOD_SHIFT)
-    assert not watcher.toy.ahead.held
+    assert not watcher.parts.fast_forward.held
 
 
 def test_it_is_said_that_nothing_will_pass(watcher):
@@ -173,31 +175,31 @@ def test_it_is_said_that_nothing_will_pass(watcher):
     go_on(watcher)
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher)
-    assert watcher.toy.notices.text == "No sand will pass the neck any more."
-    watcher.toy.sessions.load("blank")
+    assert watcher.parts.notices.text == "No sand will pass the neck any more."
+    watcher.parts.sessions.load("blank")
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
-    assert "no one neck" in watcher.toy.notices.text
+    assert "no one neck" in watcher.parts.notices.text
 
 
 def test_an_act_that_moves_sand_past_the_neck_is_no_flow(watcher):
     watcher.key(pygame.K_END)
     go_on(watcher)
-    watcher.toy.sessions.do(Flip())
-    watcher.toy.ahead.await_flow()
-    watcher.toy.sessions.do(Flip())
+    watcher.parts.sessions.do(Flip())
+    watcher.parts.fast_forward.await_flow()
+    watcher.parts.sessions.do(Flip())
     go_on(watcher)
-    assert watcher.toy.notices.text == "No sand will pass the neck any more."
+    assert watcher.parts.notices.text == "No sand will pass the neck any more."
 
 
 def test_escape_stops_it(watcher):
-    watcher.toy.sessions.do(SetRule(Rule.with_p(1e-6, "balanced")))
+    watcher.parts.sessions.do(SetRule(Rule.with_p(1e-6, "balanced")))
     watcher.key(pygame.K_END)
     watcher.wait(3)
     assert watcher.world.iteration > 0
     watcher.key(pygame.K_ESCAPE)
     now = watcher.session.now
     watcher.wait(3)
-    assert watcher.session.now == now and watcher.toy.running and "Stopped after" in watcher.toy.notices.text
+    assert watcher.session.now == now and watcher.parts.running and "Stopped after" in watcher.parts.notices.text
 
 
 def test_undo_and_replay_agree_with_time_that_ran_ahead(watcher):
@@ -205,7 +207,7 @@ def test_undo_and_replay_agree_with_time_that_ran_ahead(watcher):
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher)
     flow = session.now
-    watcher.toy.sessions.do(Flip())
+    watcher.parts.sessions.do(Flip())
     watcher.key(pygame.K_END)
     go_on(watcher)
     end, digest = session.now, session.world.digest()
@@ -225,19 +227,19 @@ def test_an_ending_foreseen_is_where_the_flow_ends(watcher):
 
 
 def test_another_lattice_ends_the_wait_for_the_flow(watcher):
-    watcher.toy.ahead.await_flow()
-    watcher.toy.sessions.load("blank")
+    watcher.parts.fast_forward.await_flow()
+    watcher.parts.sessions.load("blank")
     watcher.frame()
-    assert watcher.toy.ahead.due() is None
+    assert watcher.parts.fast_forward.due() is None
 
 
 def test_an_act_while_the_iteration_is_looked_for_ends_the_search(watcher):
-    watcher.toy.ahead.await_flow()
-    while watcher.toy.ahead.due() != 0:
+    watcher.parts.fast_forward.await_flow()
+    while watcher.parts.fast_forward.due() != 0:
         watcher.frame()
-    watcher.toy.sessions.do(SetRule(Rule.with_p(0.25)))
+    watcher.parts.sessions.do(SetRule(Rule.with_p(0.25)))
     watcher.settle()
-    assert watcher.toy.ahead.due() is None
+    assert watcher.parts.fast_forward.due() is None
 
 
 def without_memory_once(monkeypatch, module, name):
@@ -256,17 +258,17 @@ def test_a_plan_for_which_there_was_no_memory_is_made_later(watcher, monkeypatch
     without_memory_once(monkeypatch, run_out_planner, "find_run_out")
     monkeypatch.setattr(run_out_planner, "AGAIN_S", 0.0)
     for newest in (False, True):
-        watcher.toy.planner.ask()
+        watcher.parts.planner.ask()
         watcher.settle()
-        assert (watcher.toy.planner.newest is not None) == newest
-    assert "not enough memory" in watcher.toy.notices.text
+        assert (watcher.parts.planner.newest is not None) == newest
+    assert "not enough memory" in watcher.parts.notices.text
 
 
 def test_an_iteration_for_which_there_was_no_memory_lets_time_go_on(watcher, monkeypatch):
     without_memory_once(monkeypatch, fast_forward, "first_moment")
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher, frames=50)
-    assert "not enough memory" in watcher.toy.notices.text
+    assert "not enough memory" in watcher.parts.notices.text
 
 
 def test_a_plan_for_what_is_no_longer_so_is_given_up(watcher, monkeypatch):
@@ -282,13 +284,13 @@ def test_a_plan_for_what_is_no_longer_so_is_given_up(watcher, monkeypatch):
     monkeypatch.setattr(run_out_planner, "PATIENCE_S", 0.0)
     with monkeypatch.context() as context:
         context.setattr(run_out_planner, "find_run_out", endless)
-        watcher.toy.planner.ask()
+        watcher.parts.planner.ask()
         time.sleep(0.01)
-    watcher.toy.sessions.do(Flip())
+    watcher.parts.sessions.do(Flip())
     for _ in range(2):
-        assert watcher.toy.planner.ask() is None
+        assert watcher.parts.planner.ask() is None
         watcher.settle()
-    assert given_up.is_set() and watcher.toy.planner.newest == watcher.toy.planner.ask()
+    assert given_up.is_set() and watcher.parts.planner.newest == watcher.parts.planner.ask()
 
 
 @pytest.mark.parametrize("code", [pygame.K_END, pygame.K_RIGHT])

@@ -17,12 +17,12 @@ def brush(player):
 
 
 def lattice(player):
-    player.toy.camera.zoom(4)
-    return pressed_at(player, player.toy.display.stage.area.center, button=2)
+    player.parts.camera.zoom(4)
+    return pressed_at(player, player.parts.display.stage.area.center, button=2)
 
 
 def time_bar(player):
-    return pressed_at(player, player.toy.time_bar.track.center)
+    return pressed_at(player, player.parts.time_bar.track.center)
 
 
 def fast(player):
@@ -47,8 +47,17 @@ KEYS = forward_key, backward_key
 
 def holds(player):
     """Return whether anything is held."""
-    toy, control = player.toy, player.toy.panel.ui.focus.held
-    return any((toy.brush.painting, toy.camera.busy, toy.time_bar.held, toy.ahead.held, toy.rewind.held, control))
+    parts, control = player.parts, player.parts.panel.ui.focus.held
+    return any(
+        (
+            parts.brush.painting,
+            parts.camera.busy,
+            parts.time_bar.held,
+            parts.fast_forward.held,
+            parts.rewind.held,
+            control,
+        )
+    )
 
 
 def lose_focus(player):
@@ -65,10 +74,10 @@ def test_what_a_button_holds_is_let_go_of_when_a_page_opens_or_the_panel_goes(gl
     let_go()
     glass.key(key)
     assert not holds(glass)
-    view, grains, rule, now = glass.toy.display.stage.view, glass.world.grains, glass.session.rule, glass.session.now
+    view, grains, rule, now = glass.parts.display.stage.view, glass.world.grains, glass.session.rule, glass.session.now
     glass.move((200, 200))
     glass.wait(10)
-    assert (glass.toy.display.stage.view, glass.world.grains, glass.session.rule) == (view, grains, rule)
+    assert (glass.parts.display.stage.view, glass.world.grains, glass.session.rule) == (view, grains, rule)
     assert 0 < glass.session.now - now < 100
     glass.click(glass.control("Pause"))
     assert glass.session.paused
@@ -88,10 +97,10 @@ def test_what_is_held_is_let_go_of_when_the_window_loses_the_focus(glass, hold):
 
 def test_a_key_that_came_up_elsewhere_is_heard_again(glass):
     glass.press(pygame.K_k, "k")
-    assert glass.toy.cursor.on
+    assert glass.parts.cursor.on
     lose_focus(glass)
     glass.press(pygame.K_k, "k")
-    assert not glass.toy.cursor.on
+    assert not glass.parts.cursor.on
 
 
 def test_a_stroke_cut_off_in_one_pane_does_not_bind_the_next_to_it():
@@ -100,11 +109,11 @@ def test_a_stroke_cut_off_in_one_pane_does_not_bind_the_next_to_it():
     player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
     player.wait(1)
     x, y = player.pixel(60, 190)
-    left = min(pane.x for pane in player.toy.display.stage.panes) - player.toy.display.stage.area.x
+    left = min(pane.x for pane in player.parts.display.stage.panes) - player.parts.display.stage.area.x
     player.button(pygame.MOUSEBUTTONDOWN, (x + left, y))
     lose_focus(player)
     player.key(pygame.K_c, "c")
     player.click((x, y))
     assert player.world.sand[190, 60]
-    player.toy.close()
+    player.parts.close()
     pygame.display.quit()

@@ -30,7 +30,7 @@ def digests_of_the_scene(upto):
 
 def on_bar(player, share):
     """Return the place on the time bar at `share` of the way."""
-    track = player.toy.time_bar.track
+    track = player.parts.time_bar.track
     return track.x + round(share * (track.width - 1)), track.centery
 
 
@@ -142,7 +142,7 @@ def test_a_clear_and_a_load_can_be_taken_back(glass):
     glass.hold_time()
     sand = glass.world.digest()
     glass.key(pygame.K_c)
-    glass.toy.sessions.load("paper")
+    glass.parts.sessions.load("paper")
     undo(glass)
     assert glass.session.scene.name == "hourglass" and glass.world.grains == 0
     undo(glass)
@@ -163,7 +163,7 @@ def test_a_drag_of_a_slider_is_one_step(glass):
 
 def test_undo_goes_back_to_the_moment_before_the_act_if_asked_to(glass):
     glass.wait(20)
-    glass.toy.commands.time.undo_goes_back = True
+    glass.parts.commands.time.undo_goes_back = True
     at = glass.session.now
     glass.session.do(Flip())
     glass.wait(60)
@@ -184,9 +184,9 @@ def test_the_panel_takes_back_what_the_keys_take_back(player):
 
 def test_with_nothing_to_undo_the_screen_says_so(player):
     undo(player)
-    assert player.toy.notices.text == "Nothing to undo."
+    assert player.parts.notices.text == "Nothing to undo."
     redo(player)
-    assert player.toy.notices.text == "Nothing to redo."
+    assert player.parts.notices.text == "Nothing to redo."
 
 
 def test_painting_in_the_past_begins_a_new_future_and_redo_finds_the_old_one(player):
@@ -211,9 +211,9 @@ def test_the_marks_of_acts_and_flips_lie_where_they_happened(player):
     player.click(player.pixel(20, 20))
     player.wait(20)
     second = player.session.now
-    player.toy.sessions.do(Flip())
+    player.parts.sessions.do(Flip())
     player.frame()
-    marks = player.toy.time_bar.marks
+    marks = player.parts.time_bar.marks
     assert marks.acts.tolist() == [pytest.approx(first, abs=8)]
     assert marks.strong.tolist() == [second]
     undo(player)
@@ -225,11 +225,13 @@ def test_every_grain_of_the_session_is_on_the_books(player):
     player.wait(20)
     player.drag(player.pixel(20, 60), player.pixel(60, 85), button=3)
     player.wait(20)
-    line = player.toy.hud.drawing(player.toy.display.theme, pygame.Rect(0, 0, 2000, 30), player.session)[1][2]
+    line = player.parts.status_line.drawing(player.parts.display.theme, pygame.Rect(0, 0, 2000, 30), player.session)[1][
+        2
+    ]
     assert f"{player.world.grains} grains" in line
-    player.toy.figures.toggle()
+    player.parts.stats_card.toggle()
     player.wait(20)
-    account, words = player.session.account, " ".join(player.toy.figures.lines)
+    account, words = player.session.account, " ".join(player.parts.stats_card.lines)
     books = f"0 at the start + {account.painted} painted - {account.erased} erased = {player.world.grains} now"
     assert books in words and "MB" in words
 

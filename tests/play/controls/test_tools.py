@@ -47,7 +47,7 @@ def acts(player):
 
 def take(player, tool, diameter=1):
     player.key(LETTERS[tool])
-    player.toy.brush.diameter = diameter
+    player.parts.brush.diameter = diameter
 
 
 def box_of(cells):
@@ -58,21 +58,21 @@ def box_of(cells):
 def test_number_keys_give_sizes_and_letters_give_tools(still):
     for number, size in enumerate(SIZES):
         still.key(pygame.K_1 + number, str(number + 1))
-        assert still.toy.brush.diameter == size
+        assert still.parts.brush.diameter == size
     for tool, letter in LETTERS.items():
         still.key(letter)
-        assert still.toy.brush.tool == tool
+        assert still.parts.brush.tool == tool
 
 
 @pytest.mark.parametrize("tool", TOOLS)
 def test_undo_after_a_tool_gives_back_the_world_before_it(still, tool):
-    still.toy.brush.material = "wall"
+    still.parts.brush.material = "wall"
     still.drag(still.pixel(5, 60), still.pixel(110, 70))
-    still.toy.brush.material = "sand"
+    still.parts.brush.material = "sand"
     still.drag(still.pixel(20, 20), still.pixel(60, 25))
     before = still.world.digest()
     take(still, tool, 9)
-    still.toy.brush.material = "wall"
+    still.parts.brush.material = "wall"
     still.drag(still.pixel(30, 22), still.pixel(40, 30), still.pixel(70, 66))
     assert (still.world.digest() != before) == (tool != "pick")
     if tool != "pick":
@@ -111,11 +111,11 @@ def test_escape_lets_go_of_a_line_that_was_not_meant(still):
     still.move(still.pixel(90, 70))
     still.key(pygame.K_ESCAPE)
     still.button(pygame.MOUSEBUTTONUP, still.pixel(60, 10))
-    assert not acts(still) and still.toy.running
+    assert not acts(still) and still.parts.running
 
 
 def test_shift_makes_the_brush_draw_straight(still, shift):
-    still.toy.brush.diameter = 1
+    still.parts.brush.diameter = 1
     still.drag(still.pixel(10, 10), still.pixel(20, 50), still.pixel(70, 10))
     assert box_of(still.world.sand) == (10, 10, 71, 11) and len(acts(still)) == 1
 
@@ -143,15 +143,15 @@ def test_a_rectangle_reaches_from_corner_to_corner(still):
 
 
 def test_a_fill_stops_at_walls(still):
-    still.toy.brush.material, still.toy.brush.edge_only = "wall", True
+    still.parts.brush.material, still.parts.brush.edge_only = "wall", True
     take(still, "rectangle")
-    still.toy.brush.edge_only = True
+    still.parts.brush.edge_only = True
     still.drag(still.pixel(20, 10), still.pixel(50, 40))
-    still.toy.brush.material = "sand"
+    still.parts.brush.material = "sand"
     take(still, "fill")
     still.click(still.pixel(30, 30))
     assert still.world.grains == 29 * 29
-    still.toy.brush.material = "wall"
+    still.parts.brush.material = "wall"
     still.click(still.pixel(30, 30))
     assert still.world.grains == 0 and still.world.walls.sum() == 31 * 31
 
@@ -160,25 +160,25 @@ def test_replace_changes_only_what_it_began_on(still):
     take(still, "brush", 5)
     still.drag(still.pixel(20, 20), still.pixel(60, 20))
     take(still, "replace", 9)
-    still.toy.brush.material = "wall"
+    still.parts.brush.material = "wall"
     sand = still.world.sand
     still.drag(still.pixel(30, 20), still.pixel(90, 30))
     walls = still.world.walls
     assert walls.any() and not (walls & ~sand).any()
-    still.toy.brush.material = "sand"
+    still.parts.brush.material = "sand"
     still.drag(still.pixel(30, 20), still.pixel(90, 30))
     assert (still.world.sand == sand).all()
 
 
 def test_pick_takes_what_is_there_and_gives_the_tool_back(still):
-    still.toy.brush.material = "wall"
+    still.parts.brush.material = "wall"
     still.drag(still.pixel(20, 20), still.pixel(30, 20))
     take(still, "line")
     for place, material in ((50, "erase"), (25, "wall")):
-        still.toy.brush.material = "sand"
+        still.parts.brush.material = "sand"
         still.key(pygame.K_i)
         still.click(still.pixel(place, 20))
-        assert (still.toy.brush.material, still.toy.brush.tool) == (material, "line")
+        assert (still.parts.brush.material, still.parts.brush.tool) == (material, "line")
 
 
 def test_a_spray_that_rests_grows_denser(still):
@@ -193,7 +193,7 @@ def test_a_stroke_whose_beginning_was_lost_is_taken_back_without_the_one_before(
     still.drag(still.pixel(20, 20), still.pixel(60, 25))
     grains = still.world.grains
     with monkeypatch.context() as way:
-        way.setattr(still.toy.sessions, "ready", lambda: False)
+        way.setattr(still.parts.sessions, "ready", lambda: False)
         still.button(pygame.MOUSEBUTTONDOWN, still.pixel(20, 60))
     still.move(still.pixel(60, 65))
     still.button(pygame.MOUSEBUTTONUP, still.pixel(60, 65))
@@ -205,7 +205,7 @@ def test_a_stroke_whose_beginning_was_lost_is_taken_back_without_the_one_before(
 def test_a_finger_paints_as_the_mouse_does_and_not_twice(still):
     def both(kind, finger, place):
         x, y = still.pixel(*place)
-        wide, high = still.toy.window.size
+        wide, high = still.parts.window.size
         still.pointer = x, y
         still.frame(
             pygame.event.Event(finger, touch_id=1, finger_id=0, x=x / wide, y=y / high, dx=0.0, dy=0.0),
@@ -216,7 +216,7 @@ def test_a_finger_paints_as_the_mouse_does_and_not_twice(still):
     both(pygame.MOUSEBUTTONDOWN, pygame.FINGERDOWN, (10, 10))
     both(pygame.MOUSEMOTION, pygame.FINGERMOTION, (60, 40))
     both(pygame.MOUSEBUTTONUP, pygame.FINGERUP, (60, 40))
-    ends = [still.toy.display.stage.view.place(*still.pixel(*cell)) for cell in ((10, 10), (60, 40))]
+    ends = [still.parts.display.stage.view.place(*still.pixel(*cell)) for cell in ((10, 10), (60, 40))]
     assert [entry.what for entry in acts(still)] == [Paint("sand", *ends, 3)]
     assert still.session.account.painted == still.world.grains
 
@@ -230,18 +230,18 @@ def test_marks_of_a_gesture_leave_no_trace(still):
         still.button(pygame.MOUSEBUTTONUP, still.pixel(40, 40))
     still.pointer = None
     still.frame()
-    shown = pygame.surfarray.array2d(still.toy.window.surface)
-    still.toy.display.stage.refresh()
+    shown = pygame.surfarray.array2d(still.parts.window.surface)
+    still.parts.display.stage.refresh()
     still.frame()
-    area = still.toy.display.layout.sand
-    fresh = pygame.surfarray.array2d(still.toy.window.surface)
+    area = still.parts.display.layout.sand
+    fresh = pygame.surfarray.array2d(still.parts.window.surface)
     assert (shown[: area.width, : area.height] == fresh[: area.width, : area.height]).all()
 
 
 def test_the_panel_chooses_tools_by_mouse_and_by_keyboard(still):
     for number, tool in enumerate(TOOLS):
-        still.click(still.parts("Tool")[number].center)
-        assert still.toy.brush.tool == tool
+        still.click(still.parts_of("Tool")[number].center)
+        assert still.parts.brush.tool == tool
     still.pointer = None
     for code, tool in (
         (pygame.K_HOME, "brush"),
@@ -250,12 +250,12 @@ def test_the_panel_chooses_tools_by_mouse_and_by_keyboard(still):
         (pygame.K_UP, "line"),
     ):
         still.key(code)
-        assert still.toy.brush.tool == tool
+        assert still.parts.brush.tool == tool
 
 
 def test_taps_and_drains_are_put_moved_and_erased(still):
     take(still, "tap", 5)
-    still.toy.brush.every = 3
+    still.parts.brush.every = 3
     still.click(still.pixel(60, 10))
     take(still, "drain", 8)
     still.click(still.pixel(60, 85))
@@ -278,18 +278,18 @@ def test_a_tap_pours_and_a_drain_swallows_in_the_window(player):
     player.wait(60)
     account = player.session.account
     assert account.poured > account.swallowed > 0 and account.balanced(player.world)
-    drawn = pygame.surfarray.array2d(player.toy.window.surface)
+    drawn = pygame.surfarray.array2d(player.parts.window.surface)
     player.key(pygame.K_SPACE, " ")
     player.drag(player.pixel(50, 80), player.pixel(70, 80), button=3)
-    assert (pygame.surfarray.array2d(player.toy.window.surface) != drawn).any() and len(player.world.fixtures) == 1
+    assert (pygame.surfarray.array2d(player.parts.window.surface) != drawn).any() and len(player.world.fixtures) == 1
 
 
 def test_quarter_turns_turn_the_table_and_back(glass):
-    glass.toy.settings["reduced_motion"] = True
+    glass.parts.settings["reduced_motion"] = True
     glass.session.paused = True
     before, (height, width) = glass.world.digest(), glass.world.shape
     glass.key(pygame.K_f, "F", pygame.KMOD_LSHIFT)
-    assert glass.world.shape == (width, height) and glass.toy.display.stage.view.shape == (width, height)
+    assert glass.world.shape == (width, height) and glass.parts.display.stage.view.shape == (width, height)
     glass.key(pygame.K_f, mod=pygame.KMOD_CTRL)
     assert glass.world.digest() == before
     for _ in range(4):
@@ -300,10 +300,10 @@ def test_quarter_turns_turn_the_table_and_back(glass):
 def test_a_turn_of_the_table_is_seen_to_go_round(glass):
     glass.session.paused = True
     glass.key(pygame.K_f, "F", pygame.KMOD_LSHIFT)
-    assert glass.toy.display.stage.turn and not glass.toy.display.stage.turn.over(glass.now_s)
+    assert glass.parts.display.stage.turn and not glass.parts.display.stage.turn.over(glass.now_s)
     glass.now_s += 1e6
     glass.wait(2)
-    assert glass.toy.display.stage.turn is None
+    assert glass.parts.display.stage.turn is None
 
 
 def test_q_and_e_tilt_the_table_in_steps_that_meet_at_0(still):
@@ -331,18 +331,18 @@ def test_a_tilted_table_is_told_of_with_its_side_and_bias(still):
         (pygame.K_e, "right: bias +0.1"),
     ):
         still.key(code)
-        assert still.toy.notices.text.endswith(told)
+        assert still.parts.notices.text.endswith(told)
 
 
 def test_a_tilted_table_shows_a_frame_that_goes_with_the_tilt(still, monkeypatch):
-    monkeypatch.setattr(still.toy.notices, "say", lambda text: None)
-    upright = pygame.surfarray.array2d(still.toy.window.surface)
+    monkeypatch.setattr(still.parts.notices, "say", lambda text: None)
+    upright = pygame.surfarray.array2d(still.parts.window.surface)
     still.key(pygame.K_e)
-    area = still.toy.display.layout.sand
+    area = still.parts.display.layout.sand
     sand = slice(0, area.width), slice(0, area.height)
-    assert (pygame.surfarray.array2d(still.toy.window.surface)[sand] != upright[sand]).any()
+    assert (pygame.surfarray.array2d(still.parts.window.surface)[sand] != upright[sand]).any()
     still.key(pygame.K_q)
-    assert (pygame.surfarray.array2d(still.toy.window.surface)[sand] == upright[sand]).all()
+    assert (pygame.surfarray.array2d(still.parts.window.surface)[sand] == upright[sand]).all()
 
 
 def test_keys_alone_draw_a_whole_picture(still):
@@ -387,10 +387,10 @@ def test_keys_alone_draw_a_whole_picture(still):
 def test_the_cursor_leaves_the_panel_its_keys_once_tab_has_led_there(still):
     still.key(pygame.K_k, "k")
     still.key(pygame.K_TAB)
-    cursor = still.toy.cursor.place
+    cursor = still.parts.cursor.place
     still.key(pygame.K_DOWN)
-    assert still.toy.cursor.place == cursor
+    assert still.parts.cursor.place == cursor
     still.key(pygame.K_ESCAPE)  # closes the list that the arrow opened
     still.key(pygame.K_ESCAPE)  # leaves the panel
     still.key(pygame.K_DOWN)
-    assert still.toy.cursor.place == (cursor[0], cursor[1] + 1)
+    assert still.parts.cursor.place == (cursor[0], cursor[1] + 1)

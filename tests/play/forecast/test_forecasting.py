@@ -28,7 +28,7 @@ def paper():
     player.wait(60)
     player.hold_time()
     yield player
-    player.toy.forecasting.close()
+    player.parts.forecasting.close()
     pygame.display.quit()
 
 
@@ -37,12 +37,12 @@ SHADE = 12  # of 255, by which air in a wall's shadow or a glass differs from ot
 
 def pixels_of(player):
     """Return the stage's pixels as the player sees them, (h, w, 3)."""
-    return pygame.surfarray.array3d(player.toy.window.surface).swapaxes(0, 1).astype(int)
+    return pygame.surfarray.array3d(player.parts.window.surface).swapaxes(0, 1).astype(int)
 
 
 def see_forecast(player, runs=10_000):
     """Wait for the forecast of the present moment and return the Forecast."""
-    forecasting = player.toy.forecasting
+    forecasting = player.parts.forecasting
     if not forecasting.shown:
         player.key(pygame.K_h, "h")
     for _ in range(4000):
@@ -63,7 +63,7 @@ def forecast_threads():
 def is_current(player, answer):
     """Return whether a Forecast is of the present moment, as far ahead as is wanted."""
     about, session = answer.request.about[0], player.session
-    present = session.timeline.history.line, session.scene, session.rule, player.toy.forecasting.ahead
+    present = session.timeline.history.line, session.scene, session.rule, player.parts.forecasting.ahead
     return (
         about.line,
         about.scene,
@@ -90,7 +90,7 @@ class Stuck(ForecastThread):
 def stuck(player):
     """Return the thread of a blank scene with the forecast on, which says nothing yet."""
     yield forecast_by(player, Stuck())
-    player.toy.forecasting.close()
+    player.parts.forecasting.close()
 
 
 class Scripted:
@@ -123,7 +123,7 @@ def scripted(player):
 
 def forecast_by(player, thread):
     """Turn the forecast on, worked out by `thread`, and return that."""
-    player.toy.forecasting.thread = thread
+    player.parts.forecasting.thread = thread
     player.key(pygame.K_h, "h")
     return thread
 
@@ -131,11 +131,11 @@ def forecast_by(player, thread):
 def test_h_lays_over_the_sand_what_so_many_runs_say(paper):
     bare = pixels_of(paper)
     answer = see_forecast(paper)
-    world, ahead = paper.world, paper.toy.forecasting.ahead
+    world, ahead = paper.world, paper.parts.forecasting.ahead
     expected = counts_at(world.sand, world.walls, Rule.with_p(0.5), [ahead], 10_000, world.seed, world.iteration)[0]
     assert (answer.counts == expected).all()
-    paper.toy.overlays.remove(paper.toy.forecasting)  # the legend
-    paper.toy.display.refresh()
+    paper.parts.overlays.remove(paper.parts.forecasting)  # the legend
+    paper.parts.display.refresh()
     paper.frame(elapsed_ns=0)
     seen, (kept, laid) = pixels_of(paper), cover(lambda *colour: colour[0] << 16 | colour[1] << 8 | colour[2])
     for row, column in np.ndindex(world.shape):
@@ -153,15 +153,15 @@ def test_h_again_takes_the_forecast_away_and_ends_its_thread(paper):
     assert (pixels_of(paper) != bare).any()
     paper.key(pygame.K_h, "h")
     paper.frame(elapsed_ns=0)
-    area = paper.toy.display.layout.sand
+    area = paper.parts.display.layout.sand
     assert (pixels_of(paper)[: area.bottom, : area.right] == bare[: area.bottom, : area.right]).all()
     assert not forecast_threads()
 
 
-def test_closing_the_toy_ends_the_thread(paper):
+def test_closing_the_window_ends_the_thread(paper):
     see_forecast(paper)
     assert forecast_threads()
-    paper.toy.close()
+    paper.parts.close()
     assert not forecast_threads()
 
 
@@ -171,7 +171,7 @@ def test_a_frame_never_waits_for_the_runs(player, stuck):
     player.wait(30)  # would not come back if it waited
     assert stuck.working and stuck.answer is None
     assert player.world.iteration > before + 30 and player.world.grains > 0
-    assert player.toy.forecasting.legend.lines[1] == "Computing the first runs …"
+    assert player.parts.forecasting.legend.lines[1] == "Computing the first runs …"
 
 
 def test_a_forecast_becomes_finer_in_the_window(player, scripted):
@@ -180,7 +180,7 @@ def test_a_forecast_becomes_finer_in_the_window(player, scripted):
     for runs in (64, 512, 10_000):
         scripted.tell(scripted.requests[-1], runs)
         player.wait(1)
-        assert player.toy.forecasting.legend.lines[1].startswith(f"{runs:,} runs")
+        assert player.parts.forecasting.legend.lines[1].startswith(f"{runs:,} runs")
 
 
 def test_only_a_new_subject_hurries_so_that_the_forecast_of_flowing_sand_can_become_finer(player, scripted):
@@ -194,8 +194,8 @@ def test_only_a_new_subject_hurries_so_that_the_forecast_of_flowing_sand_can_bec
 def test_the_forecast_of_flowing_sand_does_not_flicker(player, scripted):
     def seen():
         player.frame()
-        forecasting = player.toy.forecasting
-        return bool(player.toy.display.stage.heatmap), forecasting.stale, forecasting.legend.lines[0] != "Forecast"
+        forecasting = player.parts.forecasting
+        return bool(player.parts.display.stage.heatmap), forecasting.stale, forecasting.legend.lines[0] != "Forecast"
 
     while len(scripted.requests) < 5:
         assert seen() == (False, False, False)
@@ -212,20 +212,20 @@ def test_nothing_is_drawn_while_nothing_changes(paper):
 
 
 def test_a_forecast_that_answers_another_question_is_shown_as_stale(player, stuck):
-    forecasting = player.toy.forecasting
+    forecasting = player.parts.forecasting
     player.hold_time()
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.toy.display.stage.heatmap.stale
+    assert not forecasting.stale and not player.parts.display.stage.heatmap.stale
     stuck.free.clear()
     forecasting.ahead += 1
     player.frame()
     assert not forecasting.stale  # it is about to be answered
     player.wait(int(STALE_S * 1e9 / FRAME_NS) + 2)
-    assert forecasting.stale and player.toy.display.stage.heatmap.stale
+    assert forecasting.stale and player.parts.display.stage.heatmap.stale
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.toy.display.stage.heatmap.stale
+    assert not forecasting.stale and not player.parts.display.stage.heatmap.stale
 
 
 @pytest.mark.parametrize("act", [SetRule(Rule.with_p(0.1)), Flip()])
@@ -244,7 +244,7 @@ def test_the_legend_tells_runs_error_moment_and_the_cell_under_the_pointer(paper
     row, column = np.argwhere((answer.counts > 2000) & (answer.counts < 8000))[0]
     paper.pointer = paper.pixel(column, row)
     paper.wait(20)
-    title, runs, ahead, when, here = paper.toy.forecasting.legend.lines
+    title, runs, ahead, when, here = paper.parts.forecasting.legend.lines
     share = answer.counts[row, column] / 10_000
     assert title == f"Sand at iteration {paper.session.now + 200:,}"
     assert ahead == "200 iterations ahead" and when == "Computed now"
@@ -254,11 +254,11 @@ def test_the_legend_tells_runs_error_moment_and_the_cell_under_the_pointer(paper
 
 @pytest.mark.parametrize("theme", THEMES)
 def test_never_and_always_have_the_same_colours_in_the_legend_and_in_the_picture(paper, theme):
-    paper.toy.settings.override("theme", theme)
+    paper.parts.settings.override("theme", theme)
     answer, bar = see_forecast(paper), pygame.Surface((256, 1))
-    legend.draw_scale(bar, paper.toy.display.theme, bar.get_rect(), False)
-    paper.toy.overlays.remove(paper.toy.forecasting)  # the legend
-    paper.toy.display.refresh()
+    legend.draw_scale(bar, paper.parts.display.theme, bar.get_rect(), False)
+    paper.parts.overlays.remove(paper.parts.forecasting)  # the legend
+    paper.parts.display.refresh()
     paper.frame(elapsed_ns=0)
     seen, world = pixels_of(paper), paper.world
     for level, x in ((NEVER, 0), (ALWAYS, 255)):
@@ -273,14 +273,14 @@ def test_the_legend_stands_in_the_leading_pane_of_a_comparison_clear_of_the_badg
     player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
     player.key(pygame.K_h, "h")
     player.wait(1)
-    toy = player.toy
-    toy.camera.zoom(1)
+    parts = player.parts
+    parts.camera.zoom(1)
     (card,), badge = (
-        each.draw(toy.window.surface, toy.display.theme, toy.display.layout.sand)
-        for each in (toy.forecasting, toy.camera.badge)
+        each.draw(parts.window.surface, parts.display.theme, parts.display.layout.sand)
+        for each in (parts.forecasting, parts.camera.badge)
     )
-    assert toy.display.stage.area.contains(card) and card.collidelist(badge) < 0
-    toy.close()
+    assert parts.display.stage.area.contains(card) and card.collidelist(badge) < 0
+    parts.close()
     pygame.display.quit()
 
 
@@ -289,21 +289,21 @@ def test_another_scene_has_no_forecast_of_the_one_before(player, stuck):
     player.hold_time()
     see_forecast(player)
     stuck.free.clear()
-    player.toy.sessions.load("paper")
+    player.parts.sessions.load("paper")
     player.wait(2)
-    assert player.toy.display.stage.heatmap is None and player.toy.forecasting.answer is None
+    assert player.parts.display.stage.heatmap is None and player.parts.forecasting.answer is None
 
 
 def test_the_forecast_follows_the_view_in_and_out(paper):
     answer = see_forecast(paper)
     for cell in (30.0, 3.0, 0.4):
         view = View.near(
-            (61, 61), tuple(paper.toy.display.stage.area), cell, (30.5, 50.5), *paper.toy.display.stage.area.center
+            (61, 61), tuple(paper.parts.display.stage.area), cell, (30.5, 50.5), *paper.parts.display.stage.area.center
         )
-        paper.toy.display.stage.show(view)
+        paper.parts.display.stage.show(view)
         paper.frame(elapsed_ns=0)
-        veil = paper.toy.display.stage.heatmap
-        pixels = np.zeros(paper.toy.window.size[::-1], np.uint32)
+        veil = paper.parts.display.stage.heatmap
+        pixels = np.zeros(paper.parts.window.size[::-1], np.uint32)
         veil.draw(pixels, view, [(0, pixels.shape[0])], rgb)
         _, laid = cover(rgb)
         left, top, right, bottom = view.seen
@@ -315,8 +315,8 @@ def test_the_forecast_follows_the_view_in_and_out(paper):
 
 def test_a_veil_drawn_span_by_span_is_the_veil_drawn_at_once(paper):
     see_forecast(paper)
-    veil, view = paper.toy.display.stage.heatmap, paper.toy.display.stage.view
-    once = np.random.default_rng(92).integers(0, 2**24, paper.toy.window.size[::-1]).astype(np.uint32)
+    veil, view = paper.parts.display.stage.heatmap, paper.parts.display.stage.view
+    once = np.random.default_rng(92).integers(0, 2**24, paper.parts.window.size[::-1]).astype(np.uint32)
     by_spans = once.copy()
     veil.draw(once, view, [(0, once.shape[0])], rgb)
     for top in range(0, once.shape[0], 37):

@@ -13,12 +13,12 @@ def looked_at(player):
     """Open the gallery and wait until every small world is made."""
     player.key(pygame.K_F2)
     player.settle()
-    return player.toy.gallery
+    return player.parts.gallery
 
 
 def pictures(player, gallery):
     """Return the pixels of every picture that shows."""
-    shown = pygame.surfarray.array3d(player.toy.window.surface)
+    shown = pygame.surfarray.array3d(player.parts.window.surface)
     rects = {number: gallery._picture_rect(rect) for number, rect in gallery._tiles()}
     return {number: shown[rect.x : rect.right, rect.y : rect.bottom].copy() for number, rect in rects.items()}
 
@@ -47,7 +47,7 @@ def test_the_sand_goes_on_behind_the_gallery_and_nobody_can_touch_it_there(playe
     at = player.world.iteration
     for code in (pygame.K_c, pygame.K_s, pygame.K_r, pygame.K_f):
         player.key(code)
-    player.click((5, player.toy.window.size[1] - 5))
+    player.click((5, player.parts.window.size[1] - 5))
     assert gallery.shown and player.world.iteration > at and len(player.session.timeline.history.story()) == 0
 
 
@@ -55,15 +55,15 @@ def test_a_key_held_longer_than_the_page_is_open_does_no_more(player):
     gallery = looked_at(player)
     for _ in range(3):
         player.press(pygame.K_ESCAPE)
-    assert not gallery.shown and player.toy.running
+    assert not gallery.shown and player.parts.running
     player.release(pygame.K_ESCAPE)
     player.key(pygame.K_ESCAPE)
     player.key(pygame.K_ESCAPE)
-    assert not player.toy.running
+    assert not player.parts.running
 
 
 def test_the_wheel_scrolls_along_its_own_axis_only(player):
-    player.toy.settings.override("ui_scale", 3)
+    player.parts.settings.override("ui_scale", 3)
     gallery = looked_at(player)
     gallery._choose(0)
     for right, up, top in ((1, 0, 0), (0, -1, 1), (-1, 0, 1), (0, 1, 0)):
@@ -79,7 +79,7 @@ def test_a_scene_is_opened_by_keys_and_by_a_click(player, number):
         player.key(pygame.K_RIGHT)
     player.key(pygame.K_RETURN)
     assert player.session.scene.name == scene_names()[number] and not gallery.shown
-    player.toy.sessions.load("paper")
+    player.parts.sessions.load("paper")
     looked_at(player)
     player.click(gallery.tile(number).center)
     assert player.session.scene.name == scene_names()[number] and not gallery.shown
@@ -105,16 +105,16 @@ def test_tab_and_a_click_turn_to_the_saved_scenes(player):
     player.click(gallery.tab(0).center)
     assert gallery.shelf is gallery.shelves[0]
     player.key(pygame.K_ESCAPE)
-    assert not gallery.shown and player.toy.running
+    assert not gallery.shown and player.parts.running
 
 
 @pytest.mark.parametrize("size", [(640, 480), (1280, 720), (3840, 2160)])
 @pytest.mark.parametrize("scale", [0.75, 1, 1.5, 3])
 def test_no_tile_is_cut_or_covered_and_the_chosen_one_is_in_sight(player, size, scale):
-    toy = player.toy
-    toy.settings.override("ui_scale", scale)
+    parts = player.parts
+    parts.settings.override("ui_scale", scale)
     pygame.display.set_mode(size, pygame.RESIZABLE, 32)
-    toy.display.lay_out_anew()
+    parts.display.lay_out_anew()
     player.frame()
     gallery = looked_at(player)
     for code in (pygame.K_HOME, pygame.K_END):
@@ -125,9 +125,9 @@ def test_no_tile_is_cut_or_covered_and_the_chosen_one_is_in_sight(player, size, 
         rects = list(tiles.values())
         assert all(rect.collidelist(rects[number + 1 :]) == -1 for number, rect in enumerate(rects))
         for stroke, rect, text, kind, *_ in (
-            each for each in gallery._strokes(toy.window.surface, []) if len(each) > 4
+            each for each in gallery._strokes(parts.window.surface, []) if len(each) > 4
         ):
-            assert toy.window.surface.get_rect().contains(rect), (stroke, text, kind)
+            assert parts.window.surface.get_rect().contains(rect), (stroke, text, kind)
 
 
 def test_a_frame_of_the_gallery_keeps_its_budget(player):
@@ -144,8 +144,8 @@ def test_a_frame_of_the_gallery_keeps_its_budget(player):
 def test_no_world_is_made_for_a_gallery_whose_window_was_closed(player):
     player.key(pygame.K_F2)
     player.frame(pygame.event.Event(pygame.QUIT))
-    player.toy.close()
-    assert len(player.toy.gallery.shelf._lives) < len(scene_names()) and not player.toy.background.busy
+    player.parts.close()
+    assert len(player.parts.gallery.shelf._lives) < len(scene_names()) and not player.parts.background.busy
 
 
 def test_what_is_said_of_an_empty_shelf_is_all_there_in_a_small_window(player):
@@ -153,7 +153,7 @@ def test_what_is_said_of_an_empty_shelf_is_all_there_in_a_small_window(player):
     player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=640, y=480))
     player.key(pygame.K_o, mod=pygame.KMOD_LCTRL)
     player.wait(2)
-    gallery, theme = player.toy.gallery, player.toy.display.theme
+    gallery, theme = player.parts.gallery, player.parts.display.theme
     said = list(gallery._empty())
     assert " ".join(text for _, _, text, *_ in said) == gallery.shelf.empty
     assert all(theme.width(text, kind) <= rect.width for _, rect, text, kind, *_ in said)

@@ -48,7 +48,7 @@ def test_all_keys_are_on_one_screen_unless_the_text_would_be_much_smaller_than_a
 def test_wheel_and_keys_scroll_to_the_last_line_and_back():
     player = Player("hourglass", (640, 480))
     player.key(pygame.K_F1)
-    page, at = player.toy.help, player.session.now
+    page, at = player.parts.help, player.session.now
     assert page._page.more
     for code, tops in ((pygame.K_DOWN, 1), (pygame.K_END, page._page.more), (pygame.K_HOME, 0)):
         player.key(code)
@@ -82,20 +82,20 @@ def test_no_two_commands_share_a_key():
 
 def test_what_the_page_hides_hears_no_key(glass):
     answers = Answer("Yes", None, pygame.K_RETURN, "Enter"), Answer("Later", None, pygame.K_ESCAPE, "Esc")
-    glass.toy.question.ask("Go on?", "Words.", answers)
+    glass.parts.dialog.ask("Go on?", "Words.", answers)
     glass.key(pygame.K_F1)
     for key in (pygame.K_RETURN, pygame.K_ESCAPE):
         glass.key(key)
-        assert glass.toy.question.shown
-    assert not glass.toy.help.shown
+        assert glass.parts.dialog.shown
+    assert not glass.parts.help.shown
     glass.key(pygame.K_RETURN)
-    assert not glass.toy.question.shown
+    assert not glass.parts.dialog.shown
 
 
 def test_the_upper_of_two_pages_is_closed_first(glass):
     for key in (pygame.K_F2, pygame.K_F1, pygame.K_ESCAPE):
         glass.key(key)
-    assert glass.toy.display.page is glass.toy.gallery
+    assert glass.parts.display.page is glass.parts.gallery
 
 
 def test_a_click_closes_the_page_and_keys_go_on_working(glass):
@@ -103,4 +103,4 @@ def test_a_click_closes_the_page_and_keys_go_on_working(glass):
     glass.key(pygame.K_SPACE, " ")
     assert glass.session.paused
     glass.click((400, 300))
-    assert not glass.toy.help.shown and glass.session.world.grains == glass.session.account.start
+    assert not glass.parts.help.shown and glass.session.world.grains == glass.session.account.start

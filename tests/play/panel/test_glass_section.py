@@ -14,7 +14,7 @@ from tests.play.player import Player
 def maker():
     """Return a player of the hourglass with the maker open and time held."""
     player = Player("hourglass", size=(900, 1400))
-    player.toy.panel.glass.open = True
+    player.parts.panel.glass.open = True
     player.hold_time()
     player.session.timeline.run(200)
     player.wait(1)
@@ -59,7 +59,7 @@ def test_a_glass_too_small_for_its_sand_is_filled_anew(maker):
     drag(maker, "Glass size", 0.3)
     glass = maker.session.scene.glass
     assert glass.height < 120 and maker.world.grains == glass.cells()[0].sum()
-    assert "filled anew" in maker.toy.notices.text and maker.session.account.balanced(maker.world)
+    assert "filled anew" in maker.parts.notices.text and maker.session.account.balanced(maker.world)
 
 
 def test_how_long_it_runs_is_told(maker):
@@ -67,7 +67,7 @@ def test_how_long_it_runs_is_told(maker):
     maker.wait(2)
     left = find_run_out(maker.session.timeline.lookahead()).at - maker.session.now
     seconds = round(left / maker.session.clock.speed)
-    assert f"Runs for {seconds // 60}:{seconds % 60:02} more" in running_time(maker.toy)
+    assert f"Runs for {seconds // 60}:{seconds % 60:02} more" in running_time(maker.parts)
 
 
 def test_restart_fills_the_glass_that_was_made(maker):
@@ -78,7 +78,7 @@ def test_restart_fills_the_glass_that_was_made(maker):
 
 
 def test_any_scene_can_become_a_glass(maker):
-    maker.toy.sessions.load("funnel")
+    maker.parts.sessions.load("funnel")
     maker.wait(1)
     grains = maker.world.grains
     maker.click(maker.control("Make a glass"))
@@ -87,7 +87,7 @@ def test_any_scene_can_become_a_glass(maker):
 
 @pytest.mark.parametrize("size", [(64, 600), (100, 1000), (16384, 16), (3, 30)])
 def test_a_lattice_of_any_proportions_becomes_a_glass_of_any_size(maker, size):
-    maker.toy.sessions.open_scene(load_scene("blank", size), 1)
+    maker.parts.sessions.open_scene(load_scene("blank", size), 1)
     maker.wait(1)
     maker.click(maker.control("Make a glass"))
     maker.wait(1)
@@ -101,33 +101,33 @@ def test_a_glass_that_was_made_is_saved_like_any_scene(maker):
     sand, walls = maker.world.sand, maker.world.walls
     maker.key(pygame.K_s, mod=pygame.KMOD_CTRL)
     maker.settle()
-    path = maker.toy.notices.text.removeprefix("Saved as ")
-    maker.toy.sessions.load("blank")
+    path = maker.parts.notices.text.removeprefix("Saved as ")
+    maker.parts.sessions.load("blank")
     maker.drop(path)
     assert (maker.world.sand == sand).all() and (maker.world.walls == walls).all()
 
 
 def test_a_slider_stays_under_the_pointer_when_lines_above_it_go():
     player = Player("hourglass", size=(900, 560))  # low: the fold is scrolled to
-    player.toy.panel.glass.open = True
+    player.parts.panel.glass.open = True
     player.hold_time()
     player.wait(1)
     places = [player.control("Neck", share) for share in (0.2, 0.3, 0.4)]
     player.drag(*places)
     player.settle()
     assert player.session.scene.name == "glass" and not player.session.scene.notice
-    rect = player.toy.panel.ui.rects["Neck"]
+    rect = player.parts.panel.ui.rects["Neck"]
     assert rect.collidepoint(places[-1])
     pygame.display.quit()
 
 
 def test_a_drag_to_a_small_glass_and_back_leaves_a_full_one(maker):
     start = maker.session.scene.glass
-    track = maker.parts("Glass size")[0]
+    track = maker.parts_of("Glass size")[0]
     pos = maker.control("Glass size", 0.6)
     maker.drag(*((track.left + int(share * track.width), pos[1]) for share in (0.6, 0.3, 0.1, 0.3, 0.6)))
     maker.settle()
     glass = maker.session.scene.glass
     assert (maker.world.sand == glass.cells()[0]).all() and maker.session.account.balanced(maker.world)
     assert glass.fill == start.fill and maker.world.grains > 1000
-    assert "filled anew" not in (maker.toy.notices.text or "")
+    assert "filled anew" not in (maker.parts.notices.text or "")

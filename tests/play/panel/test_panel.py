@@ -29,13 +29,13 @@ def unfolded(monkeypatch):
 
 def seen(player, size, scale):
     """Show the window in a size and at a scale, with all there is in its panel."""
-    toy = player.toy
-    toy.settings["sound"] = True
-    toy.settings.override("ui_scale", scale)
+    parts = player.parts
+    parts.settings["sound"] = True
+    parts.settings.override("ui_scale", scale)
     pygame.display.set_mode(size, pygame.RESIZABLE, 32)
     player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
     player.frame()
-    return toy.panel.ui
+    return parts.panel.ui
 
 
 def overlapping(rects):
@@ -71,8 +71,8 @@ def test_nor_with_all_folds_open(glass, size, scale, unfolded):
 @pytest.mark.parametrize("size", SIZES)
 def test_the_parts_of_the_window_share_it_without_a_gap(glass, size, scale):
     seen(glass, size, scale)
-    layout = glass.toy.display.layout
-    parts = {name: getattr(layout, name) for name in ("panel", "sand", "bar", "hud")}
+    layout = glass.parts.display.layout
+    parts = {name: getattr(layout, name) for name in ("panel", "sand", "bar", "status_line")}
     assert overlapping(parts) is None
     assert sum(rect.width * rect.height for rect in parts.values()) == size[0] * size[1]
     assert layout.sand.width >= size[0] // 2 - 1 and layout.sand.height > size[1] // 2
@@ -85,18 +85,28 @@ def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, s
     seen(glass, size, scale)
     glass.drop(tmp_path / "photo.png")
     for command in ("sand.turn 1", "view.zoom 1", "files.show_scenes", "files.show_scenes", "view.toggle_help"):
-        glass.toy.commands.give(command)
+        glass.parts.commands.give(command)
         glass.wait(2)
-        stage, layout, pixels = glass.toy.display.stage, glass.toy.display.layout, glass.toy.window.surface.get_rect()
+        stage, layout, pixels = (
+            glass.parts.display.stage,
+            glass.parts.display.layout,
+            glass.parts.window.surface.get_rect(),
+        )
         left, top, right, bottom = stage.view.seen
-        shown = layout.panel, layout.sand, layout.bar, layout.hud, pygame.Rect(left, top, right - left, bottom - top)
+        shown = (
+            layout.panel,
+            layout.sand,
+            layout.bar,
+            layout.status_line,
+            pygame.Rect(left, top, right - left, bottom - top),
+        )
         assert all(pixels.contains(rect) and rect.width > 0 < rect.height for rect in shown)
-    assert glass.toy.photo_import.shown and glass.toy.help.shown
+    assert glass.parts.photo_import.shown and glass.parts.help.shown
 
 
 @pytest.mark.parametrize("name", scene_names())
 def test_what_a_newcomer_reaches_for_is_in_sight_without_scrolling(glass, name):
-    glass.toy.sessions.open_scene(load_scene(name), 0)
+    glass.parts.sessions.open_scene(load_scene(name), 0)
     ui = seen(glass, (1280, 720), 1)
     assert ui.focus.scroll.offset == 0
     assert [each for each in ESSENTIALS if not ui._rect.contains(ui.rects[each])] == []
@@ -170,19 +180,19 @@ def test_every_control_is_worked_by_keyboard(glass, unfolded, monkeypatch):
 def back(player):
     """Close what a control has opened."""
     for _ in range(3):
-        if player.toy.display.page or player.toy.panel.ui.focus.popup or player.toy.question.shown:
+        if player.parts.display.page or player.parts.panel.ui.focus.popup or player.parts.dialog.shown:
             player.key(pygame.K_ESCAPE)
-    if player.toy.window.fullscreen:
-        player.toy.commands.view.toggle_fullscreen()
+    if player.parts.window.fullscreen:
+        player.parts.commands.view.toggle_fullscreen()
         player.frame()
 
 
 def test_full_screen_and_back_leaves_the_window_as_it_was(player):
-    size = player.toy.window.size
+    size = player.parts.window.size
     for _ in range(2):
         player.key(pygame.K_F11)
         player.wait(2)
-        assert player.toy.window.size == pygame.display.get_desktop_sizes()[0] != size
+        assert player.parts.window.size == pygame.display.get_desktop_sizes()[0] != size
         player.key(pygame.K_F11)
         player.wait(2)
-        assert player.toy.window.size == size
+        assert player.parts.window.size == size

@@ -21,7 +21,7 @@ def stroke(player, row=20):
 
 @pytest.mark.parametrize("colour", DYES)
 def test_sand_is_painted_in_the_colour_chosen(still, colour):
-    still.toy.brush.dip(colour)
+    still.parts.brush.dip(colour)
     stroke(still)
     counts = still.world.grains_by_colour
     found = {number for number, grains in enumerate(counts) if grains}
@@ -30,34 +30,34 @@ def test_sand_is_painted_in_the_colour_chosen(still, colour):
 
 
 def test_the_comma_walks_the_colours_and_takes_sand_in_hand(still):
-    still.toy.brush.material = "wall"
+    still.parts.brush.material = "wall"
     for colour in (*DYES[1:], DYES[0]):
         still.key(pygame.K_COMMA, ",")
-        assert (still.toy.brush.colour, still.toy.brush.material) == (colour, "sand")
+        assert (still.parts.brush.colour, still.parts.brush.material) == (colour, "sand")
     still.key(pygame.K_COMMA, ",", mod=pygame.KMOD_SHIFT)
-    assert still.toy.brush.colour == RAINBOW
+    assert still.parts.brush.colour == RAINBOW
 
 
 def test_walls_and_the_eraser_have_no_colour(still):
-    still.toy.brush.dip("plum")
-    still.toy.brush.material = "wall"
+    still.parts.brush.dip("plum")
+    still.parts.brush.material = "wall"
     stroke(still)
     assert not still.world.coloured and still.world.walls.any()
 
 
 def test_picking_a_grain_takes_its_colour(still):
-    still.toy.brush.dip("teal")
+    still.parts.brush.dip("teal")
     stroke(still)
-    still.toy.brush.dip("amber")
-    still.toy.brush.choose("pick")
+    still.parts.brush.dip("amber")
+    still.parts.brush.choose("pick")
     still.drag(still.pixel(50, 20), still.pixel(50, 20))
-    assert (still.toy.brush.colour, still.toy.brush.tool) == ("teal", "brush")
+    assert (still.parts.brush.colour, still.parts.brush.tool) == ("teal", "brush")
 
 
 def test_painting_over_sand_dyes_it_and_the_books_say_so(still):
     stroke(still)
     grains = still.world.grains
-    still.toy.brush.dip("rose")
+    still.parts.brush.dip("rose")
     stroke(still)
     assert still.world.grains == grains == still.world.grains_by_colour[2]
     account = still.session.account
@@ -69,7 +69,7 @@ def test_painting_over_sand_dyes_it_and_the_books_say_so(still):
 
 
 def test_a_replay_has_the_rainbow_again(player):
-    player.toy.brush.dip(RAINBOW)
+    player.parts.brush.dip(RAINBOW)
     for row in (20, 40):
         stroke(player, row)
         player.wait(4)

@@ -25,8 +25,12 @@ from tests.play.player import Player
 def test_the_plots_take_room_from_the_sand_alone(size, scale, shape, panel_shown):
     with_plots = Layout(Theme(scale), size, panel_shown, shape)
     without = Layout(Theme(scale), size, panel_shown)
-    parts = [with_plots.sand, with_plots.bar, with_plots.hud, *[with_plots.panel] * panel_shown]
-    assert (with_plots.bar, with_plots.hud, with_plots.panel) == (without.bar, without.hud, without.panel)
+    parts = [with_plots.sand, with_plots.bar, with_plots.status_line, *[with_plots.panel] * panel_shown]
+    assert (with_plots.bar, with_plots.status_line, with_plots.panel) == (
+        without.bar,
+        without.status_line,
+        without.panel,
+    )
     if with_plots.plots is None:
         assert with_plots.sand == without.sand
         return
@@ -35,13 +39,13 @@ def test_the_plots_take_room_from_the_sand_alone(size, scale, shape, panel_shown
 
 
 def test_l_shows_them_and_takes_them_away(glass):
-    before = glass.toy.display.layout.sand
+    before = glass.parts.display.layout.sand
     glass.key(pygame.K_l, "l")
     glass.wait(20)
-    assert glass.toy.display.layout.plots and glass.toy.display.layout.sand.width < before.width
+    assert glass.parts.display.layout.plots and glass.parts.display.layout.sand.width < before.width
     glass.key(pygame.K_l, "l")
     glass.wait(1)
-    assert glass.toy.display.layout.plots is None and glass.toy.display.layout.sand == before
+    assert glass.parts.display.layout.plots is None and glass.parts.display.layout.sand == before
 
 
 def test_closed_they_measure_nothing(glass, monkeypatch):
@@ -53,16 +57,16 @@ def test_still_plots_of_a_still_world_are_not_drawn_again(glass):
     glass.key(pygame.K_l, "l")
     glass.hold_time()
     glass.wait(40)
-    area = glass.toy.display.layout.plots
-    assert glass.toy.plots.draw(glass.toy.window.surface) == []
-    glass.toy.plots.forget()
-    assert glass.toy.plots.draw(glass.toy.window.surface) == [area]
+    area = glass.parts.display.layout.plots
+    assert glass.parts.plots.draw(glass.parts.window.surface) == []
+    glass.parts.plots.forget()
+    assert glass.parts.plots.draw(glass.parts.window.surface) == [area]
 
 
 def test_a_window_without_room_says_so():
     player = Player("hourglass", (640, 480))
     player.key(pygame.K_l, "l")
-    assert player.toy.display.layout.plots is None and "too small" in player.toy.notices.text
+    assert player.parts.display.layout.plots is None and "too small" in player.parts.notices.text
     pygame.display.quit()
 
 
@@ -80,37 +84,37 @@ def test_the_tables_are_saved_with_a_header(glass, own_folder):
 
 
 def test_the_row_is_the_neck_unless_the_player_sets_another(glass):
-    plots = glass.toy.plots
+    plots = glass.parts.plots
     assert plots.measured_row == 120
     plots.measured_row = 77
     glass.key(pygame.K_l, "l")
     glass.wait(2)
     assert plots._watch.row == 77
-    glass.toy.sessions.load("paper")
+    glass.parts.sessions.load("paper")
     glass.wait(2)
     assert plots._watch.row == 30
 
 
 def test_the_row_lies_in_the_lattice_however_it_is_turned(player):
-    plots, (high, wide) = player.toy.plots, player.world.shape
-    player.toy.commands.sand.turn(1)
+    plots, (high, wide) = player.parts.plots, player.world.shape
+    player.parts.commands.sand.turn(1)
     plots.measured_row = wide
     player.now_s += 1e6
     player.wait(1)
-    player.toy.commands.sand.turn(3)
+    player.parts.commands.sand.turn(3)
     assert player.world.shape == (high, wide) and plots.measured_row == high < wide
 
 
 def written(player):
     """Return the words in the cards: (rect, text)."""
-    strokes = player.toy.plots._strokes(player.toy.display.layout.plots)
+    strokes = player.parts.plots._strokes(player.parts.display.layout.plots)
     return [(pygame.Rect(rect), *how[:2]) for stroke, rect, *how in strokes if stroke is draw_list.words]
 
 
 @pytest.mark.parametrize(("size", "scale"), [((1280, 720), 0.75), ((1280, 720), 1), ((2560, 1600), 3)])
 def test_each_plot_has_a_scale_from_zero_to_a_round_figure_and_the_budget_is_named(size, scale):
     player = coloured(size, scale, 1)
-    plots, px = player.toy.plots, player.toy.display.theme.px
+    plots, px = player.parts.plots, player.parts.display.theme.px
     for draw in (plots._flow, plots._filling, plots._pile, plots._frames):
         card = pygame.Rect(0, 0, px(200), px(130))
         strokes = [(stroke, pygame.Rect(rect), how) for stroke, rect, *how in draw(card)]
@@ -137,7 +141,7 @@ def coloured(size, scale, factor):
     """Return a player who looks at the plots of a world with all colours, many times as many grains on its books."""
     player = Player("rainbow", size)
     pygame.display.set_mode(size, pygame.RESIZABLE, 32)
-    player.toy.settings.override("ui_scale", scale)
+    player.parts.settings.override("ui_scale", scale)
     player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
     player.key(pygame.K_l, "l")
     player.hold_time()
@@ -146,7 +150,7 @@ def coloured(size, scale, factor):
     tallies = {field.name: tuple(factor * each for each in getattr(account, field.name)) for field in fields(account)}
     player.session.timeline.moment.account = GrainAccount(**tallies)
     player.wait(40)
-    samples = player.toy.plots._watch.samples
+    samples = player.parts.plots._watch.samples
     samples[:] = [each._replace(frame_ms=9.0) for each in samples]  # on whatever machine
     return player
 
@@ -154,8 +158,8 @@ def coloured(size, scale, factor):
 @pytest.mark.parametrize("slowest_ms", [3.2, 123.4, 12_345.6])
 def test_a_slow_frame_leaves_room_for_its_title(slowest_ms):
     player = coloured((900, 520), 1, 1)
-    player.toy.plots._watch.samples[-1] = player.toy.plots._watch.samples[-1]._replace(frame_ms=slowest_ms)
-    theme = player.toy.display.theme
+    player.parts.plots._watch.samples[-1] = player.parts.plots._watch.samples[-1]._replace(frame_ms=slowest_ms)
+    theme = player.parts.display.theme
     rect = next(rect for rect, text, _ in written(player) if text == "Slowest frame")
     assert theme.width("Slowest frame", look.SMALL) <= rect.width
     pygame.display.quit()
@@ -167,7 +171,7 @@ def test_a_slow_frame_leaves_room_for_its_title(slowest_ms):
 )
 def test_the_books_of_eight_colours_can_be_read_at_any_size(size, scale, factor):
     player = coloured(size, scale, factor)
-    area, theme = player.toy.display.layout.plots, player.toy.display.theme
+    area, theme = player.parts.display.layout.plots, player.parts.display.theme
     words = [each for each in written(player) if each[1]]
     assert sum(text.startswith("=") for _, text, _ in words) >= 8
     seen = []
@@ -228,11 +232,11 @@ def test_the_audit_balances_after_whatever_is_done(player):
 def test_a_window_that_has_become_too_small_for_the_plots_says_so(glass):
     glass.key(pygame.K_l, "l")
     glass.wait(2)
-    assert glass.toy.display.layout.plots is not None
+    assert glass.parts.display.layout.plots is not None
     pygame.display.set_mode((640, 480), pygame.RESIZABLE, 32)
     glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=640, y=480))
     glass.wait(2)
-    assert glass.toy.display.layout.plots is None and "too small" in glass.toy.notices.text
+    assert glass.parts.display.layout.plots is None and "too small" in glass.parts.notices.text
     glass.key(pygame.K_l, "l")
     glass.wait(2)
-    assert "too small" not in (glass.toy.notices.text or "")
+    assert "too small" not in (glass.parts.notices.text or "")

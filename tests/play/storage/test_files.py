@@ -57,13 +57,13 @@ def test_what_is_saved_is_what_is_opened(glass):
     glass.hold_time()
     rule, sand = glass.session.rule, as_new(glass.world)
     save(glass)
-    assert str(the_file("scenes")) in glass.toy.notices.text
+    assert str(the_file("scenes")) in glass.parts.notices.text
     glass.key(pygame.K_c)
     glass.key(pygame.K_o, mod=CTRL)
     glass.settle()
     glass.key(pygame.K_RETURN)
     glass.settle()
-    assert as_new(glass.world) == sand and glass.session.rule == rule and not glass.toy.gallery.shown
+    assert as_new(glass.world) == sand and glass.session.rule == rule and not glass.parts.gallery.shown
 
 
 def test_opening_a_scene_can_be_taken_back(glass):
@@ -90,11 +90,11 @@ def test_a_photo_beside_the_saved_scenes_is_listed_upright_and_opened(player):
     player.key(pygame.K_o, mod=CTRL)
     player.settle()
     player.wait(1)
-    wide, tall = player.toy.gallery.shelf.picture(0).get_size()
+    wide, tall = player.parts.gallery.shelf.picture(0).get_size()
     assert tall == pytest.approx(2 * wide, abs=2)
     player.key(pygame.K_RETURN)
     player.settle()
-    assert player.toy.photo_import.shown
+    assert player.parts.photo_import.shown
 
 
 def test_del_puts_a_saved_scene_away_where_it_is_not_lost(player):
@@ -102,19 +102,19 @@ def test_del_puts_a_saved_scene_away_where_it_is_not_lost(player):
         save(player)
     player.key(pygame.K_o, mod=CTRL)
     player.settle()
-    shelf = player.toy.gallery.shelf
+    shelf = player.parts.gallery.shelf
     first, second = shelf.paths
     for gone in (first, second):
         data = gone.read_bytes()
         player.key(pygame.K_DELETE)
         kept = folder_of("scenes") / saved_scenes.AWAY / gone.name
-        assert not gone.exists() and kept.read_bytes() == data and str(kept) in player.toy.notices.text
+        assert not gone.exists() and kept.read_bytes() == data and str(kept) in player.parts.notices.text
     player.key(pygame.K_DELETE)
-    assert len(shelf) == 0 and player.toy.gallery.shown
+    assert len(shelf) == 0 and player.parts.gallery.shown
     player.wait(2)
     player.key(pygame.K_F2)
     player.key(pygame.K_DELETE)
-    assert len(player.toy.gallery.shelf) > 10
+    assert len(player.parts.gallery.shelf) > 10
 
 
 def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
@@ -125,14 +125,14 @@ def test_the_list_of_saved_scenes_is_walked_by_keys_and_clicked(player):
         grains.append(player.world.grains)
         save(player)
         time.sleep(0.01)
-    gallery = player.toy.gallery
+    gallery = player.parts.gallery
     player.key(pygame.K_o, mod=CTRL)
     player.settle()
     assert len(gallery.shelf) == 3 and all(gallery.shelf.picture(number) for number in range(3))
     player.key(pygame.K_END)
     assert gallery.chosen == 2
     player.key(pygame.K_ESCAPE)
-    assert not gallery.shown and player.toy.running
+    assert not gallery.shown and player.parts.running
     player.key(pygame.K_o, mod=CTRL)
     player.click(gallery.tile(1).center)
     player.settle()
@@ -145,7 +145,7 @@ def test_a_single_saved_scene_is_shown_no_larger_than_six(player):
         save(player)
         player.key(pygame.K_o, mod=CTRL)
         if number in (0, 5):
-            sizes.append([player.toy.gallery.tile(each).size for each in range(number + 1)])
+            sizes.append([player.parts.gallery.tile(each).size for each in range(number + 1)])
         player.key(pygame.K_ESCAPE)
     one, six = sizes
     assert len(one) == 1 and set(six) == set(one)
@@ -159,7 +159,7 @@ def test_of_many_saved_scenes_only_the_pictures_seen_last_are_kept(player, monke
         first.with_name(f"copy {number}.png").write_bytes(first.read_bytes())
     player.hold_time()
     player.key(pygame.K_o, mod=CTRL)
-    gallery = player.toy.gallery
+    gallery = player.parts.gallery
     for key in (pygame.K_HOME, *[pygame.K_PAGEDOWN] * 20, pygame.K_END, *[pygame.K_PAGEUP] * 5):
         player.key(key)
         for _ in range(5):
@@ -178,7 +178,7 @@ def test_a_damaged_saved_scene_is_shown_as_such_and_costs_a_line(player):
     player.settle()
     player.key(pygame.K_RETURN)
     player.settle()
-    assert "unreadable" in player.toy.notices.text
+    assert "unreadable" in player.parts.notices.text
     assert player.world.digest() == before
 
 
@@ -187,7 +187,7 @@ def test_a_folder_that_cannot_be_written_costs_a_line_and_no_sand(player, own_fo
     player.click(player.pixel(60, 40))
     grains = player.world.grains
     save(player)
-    assert "cannot make the folder" in player.toy.notices.text and player.world.grains == grains
+    assert "cannot make the folder" in player.parts.notices.text and player.world.grains == grains
 
 
 @on_linux
@@ -197,7 +197,7 @@ def test_a_file_whose_name_spells_no_letters_is_listed(player):
     player.key(pygame.K_o, mod=CTRL)
     player.settle()
     player.wait(1)
-    assert player.toy.gallery.shelf.picture(0)
+    assert player.parts.gallery.shelf.picture(0)
 
 
 # --- what is dropped ---
@@ -216,7 +216,7 @@ def test_a_scene_file_that_was_edited_is_shown_by_its_new_title(player, tmp_path
         path.write_text(f'title = "{title}"\nwidth = 20\nheight = 20\n')
         player.drop(path)
         player.settle()
-        assert player.toy.sessions.title_of("own") == player.session.scene.title == title
+        assert player.parts.sessions.title_of("own") == player.session.scene.title == title
 
 
 def test_a_dropped_replay_is_played_and_left_again(player, glass, tmp_path):
@@ -242,16 +242,16 @@ def test_every_shipped_replay_can_be_played_from_the_panel_and_left_by_the_way_i
     sessions = [player.session]
     for number, path in enumerate(sorted(asset("replays").glob("*.sandglass"))):
         player.click(player.control("Demo"))
-        player.click(player.toy.panel.ui.parts("Demo")[number + 1].center)
+        player.click(player.parts.panel.ui.parts("Demo")[number + 1].center)
         player.settle()
-        assert path.stem in player.toy.notices.text and player.session.reached > 0
+        assert path.stem in player.parts.notices.text and player.session.reached > 0
         player.frame()
         sessions.append(player.session)
     for before in sessions[-2::-1]:
-        assert player.toy.sessions.can_leave
+        assert player.parts.sessions.can_leave
         player.click(player.control("Back to my sand"))
         assert player.session is before
-    assert not player.toy.sessions.can_leave
+    assert not player.parts.sessions.can_leave
 
 
 def test_many_replays_take_no_more_memory_and_the_players_own_sand_stays_behind_them(player):
@@ -261,11 +261,11 @@ def test_many_replays_take_no_more_memory_and_the_players_own_sand_stays_behind_
     for _ in range(2 * MOST_WAITING):
         player.drop(asset("replays", "rooms.sandglass"))
         player.wait(20)
-    former = list(player.toy.sessions.waiting)
+    former = list(player.parts.sessions.waiting)
     assert former[0] is own and len(former) == MOST_WAITING
     assert all(session.timeline.snapshots.bytes <= MEGABYTE for session in former)
     memory = player.session.timeline.memory_mb
-    while player.toy.sessions.leave():
+    while player.parts.sessions.leave():
         player.frame()
     assert player.session is own and player.world.digest() == sand and own.timeline.memory_mb == memory
 
@@ -278,10 +278,10 @@ def test_a_session_that_waits_gives_its_past_back_and_computes_it_anew(glass, mo
     while own.timeline.snapshots.bytes <= 2 * MEGABYTE:
         own.timeline.run(50)
     end, sand = own.now, own.world.digest()
-    glass.toy.files.play_demo(demos()[0])
+    glass.parts.files.play_demo(demos()[0])
     glass.settle()
     assert glass.session is not own and own.timeline.snapshots.bytes <= MEGABYTE
-    glass.toy.sessions.leave()
+    glass.parts.sessions.leave()
     own.seek(1)
     own.seek(end)
     assert own.world.digest() == sand
@@ -291,13 +291,13 @@ def test_a_photo_is_looked_at_before_it_is_taken(player, tmp_path):
     grey = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
     Image.fromarray(grey).convert("RGB").save(tmp_path / "grey.png")
     player.drop(tmp_path / "grey.png")
-    assert player.toy.photo_import.shown and player.session.scene.name == "blank"
+    assert player.parts.photo_import.shown and player.session.scene.name == "blank"
     player.frame()
-    track = player.toy.photo_import.ui.parts("Threshold")[0]
+    track = player.parts.photo_import.ui.parts("Threshold")[0]
     player.click((track.left + track.width * 3 // 4, track.centery))
     player.key(pygame.K_RETURN)
     sand = player.session.scene.sand
-    assert not player.toy.photo_import.shown and player.session.scene.shape == (48, 64)
+    assert not player.parts.photo_import.shown and player.session.scene.shape == (48, 64)
     assert 0 < sand.sum() < load_picture(tmp_path / "grey.png").scene.sand.sum()
 
 
@@ -305,7 +305,7 @@ def test_a_photo_can_be_left(player, tmp_path):
     Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
     player.drop(tmp_path / "grey.png")
     player.key(pygame.K_ESCAPE)
-    assert not player.toy.photo_import.shown and player.session.scene.name == "blank" and player.toy.running
+    assert not player.parts.photo_import.shown and player.session.scene.name == "blank" and player.parts.running
 
 
 @on_linux
@@ -314,7 +314,7 @@ def test_what_was_opened_from_a_file_of_any_name_is_saved_and_gone_on_with(playe
     photo = np.tile(np.linspace(0, 255, 64).astype(np.uint8), (48, 1))
     Image.fromarray(photo).save(tmp_path / "grey.png")
     path = (tmp_path / "grey.png").rename(tmp_path / (length * "g" + UNSPELLED))
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.hold_time()
     player.drop(path)
     player.wait(1)
@@ -341,17 +341,17 @@ def test_a_file_is_not_said_to_be_opened_where_the_sand_could_not_give_way(late,
     before = late.session.scene
     (tmp_path / "two.toml").write_text('cells = """\no.o\n###\n"""\n')
     late.drop(tmp_path / "two.toml")
-    assert "two was not opened" in late.toy.notices.text and late.session.scene is before
+    assert "two was not opened" in late.parts.notices.text and late.session.scene is before
 
 
 def test_a_photo_waits_until_the_sand_can_give_way_to_it(late, tmp_path):
     Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
     late.drop(tmp_path / "grey.png")
     late.key(pygame.K_RETURN)
-    assert late.toy.photo_import.shown
+    assert late.parts.photo_import.shown
     late.session.timeline.goal = None
     late.key(pygame.K_RETURN)
-    assert not late.toy.photo_import.shown and late.session.scene.shape == (48, 64)
+    assert not late.parts.photo_import.shown and late.session.scene.shape == (48, 64)
 
 
 @pytest.mark.parametrize("name", ("bad.toml", "bad.sandglass", "bad.png", "bad.txt", "gone.toml", "gone.jpg", ""))
@@ -361,7 +361,7 @@ def test_a_bad_file_costs_a_line_and_no_sand(player, tmp_path, name):
     player.hold_time()
     sand = player.world.digest()
     player.drop(tmp_path / name)
-    assert player.toy.notices.text.count("\n") == 0 and str(tmp_path) in player.toy.notices.text
+    assert player.parts.notices.text.count("\n") == 0 and str(tmp_path) in player.parts.notices.text
     assert player.world.digest() == sand
 
 
@@ -375,35 +375,35 @@ def crash(player):
 
 
 def test_a_session_cut_off_is_offered_and_goes_on_where_it_was(player):
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.drag(player.pixel(20, 20), player.pixel(60, 20))
     player.wait(10)
     player.key(pygame.K_f)
     at, cells = player.session.now, as_new(player.world)
     crash(player)
     player = Player()
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.settle()
-    assert player.toy.question.shown
+    assert player.parts.dialog.shown
     player.key(pygame.K_RETURN)
     player.settle()
     assert player.session.now == at and as_new(player.world) == cells and player.session.journal
-    player.toy.close()
+    player.parts.close()
     assert next(journal.unfinished(), None) is None
 
 
 @pytest.mark.parametrize(("key", "offered_again"), ((pygame.K_ESCAPE, True), (pygame.K_DELETE, False)))
 def test_a_session_cut_off_can_wait_or_be_let_go(player, key, offered_again):
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.click(player.pixel(20, 20))
     crash(player)
     player = Player()
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.settle()
     player.key(key)
     player.settle()
-    assert not player.toy.question.shown and player.world.grains == 0 and player.toy.running
-    player.toy.close()
+    assert not player.parts.dialog.shown and player.world.grains == 0 and player.parts.running
+    player.parts.close()
     assert (next(journal.unfinished(), None) is not None) == offered_again
 
 
@@ -411,52 +411,52 @@ def test_the_question_does_not_keep_anyone_from_playing(player):
     begun = Journal.begin(player.session.scene, 0)
     begun.note(Entry(0, UNDO))
     begun.abandon()
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.settle()
     at = player.session.now
     player.drag(player.pixel(20, 60), player.pixel(60, 60))
-    assert player.toy.question.shown and player.world.grains and player.session.now > at
-    ui = player.toy.question.ui
+    assert player.parts.dialog.shown and player.world.grains and player.session.now > at
+    ui = player.parts.dialog.ui
     player.click(ui.rects["Later"].center)
-    assert not player.toy.question.shown
+    assert not player.parts.dialog.shown
 
 
 def test_a_journal_that_cannot_be_kept_costs_a_line_and_no_sand(player, own_folder):
     own_folder.write_text("a file where the folder should be")
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.click(player.pixel(20, 20))
     player.settle()
-    assert "cannot keep a journal" in player.toy.notices.text and player.world.grains
+    assert "cannot keep a journal" in player.parts.notices.text and player.world.grains
 
 
 def test_a_journal_that_breaks_off_costs_a_line_and_no_sand(player):
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.settle()
     player.session.journal.abandon()
     player.session.journal._failed = OSError(28, "No space left on device")
     player.click(player.pixel(20, 20))
     player.frame()
-    assert "no space left on device" in player.toy.notices.text and player.world.grains
+    assert "no space left on device" in player.parts.notices.text and player.world.grains
     player.wait(5)
     assert player.session.journal is None
 
 
 def test_leaving_ends_the_journal(player):
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.click(player.pixel(20, 20))
     player.key(pygame.K_ESCAPE)
     player.key(pygame.K_ESCAPE)
-    player.toy.close()
-    assert not player.toy.running and next(journal.unfinished(), None) is None
+    player.parts.close()
+    assert not player.parts.running and next(journal.unfinished(), None) is None
 
 
 def test_a_file_that_is_read_when_the_window_closes_is_not_played_any_more(player):
-    player.toy.crash_recovery.start()
+    player.parts.crash_recovery.start()
     player.settle()
     before = player.session
     path = asset("replays", f"{demos()[0]}.sandglass")
     player.frame(pygame.event.Event(pygame.DROPFILE, file=str(path)), pygame.event.Event(pygame.QUIT))
-    player.toy.close()
+    player.parts.close()
     assert player.session is before and next(journal.unfinished(), None) is None
 
 
@@ -467,7 +467,7 @@ def test_a_picture_of_the_window_is_as_large_as_the_window(player):
     player.key(pygame.K_F12)
     player.settle()
     with Image.open(the_file("pictures")) as image:
-        assert image.size == player.toy.window.size and len(image.convert("RGB").getcolors(1 << 20)) > 10
+        assert image.size == player.parts.window.size and len(image.convert("RGB").getcolors(1 << 20)) > 10
 
 
 def test_a_picture_of_the_sand_has_cells_of_whole_pixels(glass):
@@ -506,7 +506,7 @@ def test_a_picture_of_the_sand_takes_little_more_memory_than_itself():
 def test_a_recording_shows_what_followed(glass):
     glass.key(pygame.K_g)
     glass.wait(60)
-    assert "G stops it" in glass.toy.recorder.said
+    assert "G stops it" in glass.parts.recorder.said
     glass.key(pygame.K_g)
     glass.settle()
     with Image.open(the_file("pictures")) as image:
@@ -534,7 +534,7 @@ def test_the_last_frame_of_the_past_recorded_is_the_sand_now(glass):
     glass.key(pygame.K_g, mod=SHIFT)
     glass.settle()
     scene = glass.session.scene
-    film = recorder.Film(scene.shape, scene.cell, glass.toy.display.colours, scene.made_of)
+    film = recorder.Film(scene.shape, scene.cell, glass.parts.display.colours, scene.made_of)
     wanted = np.frombuffer(film.colours, np.uint8).reshape(-1, 3)[film.frame(glass.world)]
     with Image.open(the_file("pictures")) as image:
         assert image.n_frames > 20
@@ -550,7 +550,7 @@ def test_no_frame_waits_for_the_writer(glass, monkeypatch):
         glass.frame(elapsed_ns=40_000_000)
     assert not written
     free.set()
-    glass.toy.recorder.stop()
+    glass.parts.recorder.stop()
     glass.settle()
     assert len(written) > 30 and all(written)
 
@@ -560,8 +560,8 @@ def test_a_recording_that_cannot_be_written_costs_a_line_and_keeps_no_window_ope
     glass.key(pygame.K_g)
     glass.settle()
     glass.wait(recorder.MOST_WAITING * 3)
-    assert "cannot make the folder" in glass.toy.notices.text and not glass.toy.recorder.said
-    closing = threading.Thread(target=glass.toy.close, daemon=True)
+    assert "cannot make the folder" in glass.parts.notices.text and not glass.parts.recorder.said
+    closing = threading.Thread(target=glass.parts.close, daemon=True)
     closing.start()
     closing.join(10)
     assert not closing.is_alive()
@@ -571,9 +571,9 @@ def test_a_recording_ends_by_itself(glass, monkeypatch):
     monkeypatch.setattr(recorder, "LONGEST_S", 1.0)
     glass.key(pygame.K_g)
     glass.wait(90)
-    assert not glass.toy.recorder.going_on
+    assert not glass.parts.recorder.going_on
     glass.settle()
-    assert "Recorded as" in glass.toy.notices.text
+    assert "Recorded as" in glass.parts.notices.text
 
 
 def test_a_film_lasts_as_long_as_its_frames_however_short_they_are(tmp_path):
@@ -600,12 +600,12 @@ def test_a_still_picture_is_written_once(player):
 def test_a_held_key_records_once(player):
     for _ in range(4):
         player.press(pygame.K_g)
-    assert player.toy.recorder.going_on
+    assert player.parts.recorder.going_on
 
 
 def test_the_pointer_is_heard_in_the_frame_in_which_a_replay_opens(player):
     before = player.session
-    player.toy.files.play_demo(demos()[0])
-    while player.toy.background.busy:
+    player.parts.files.play_demo(demos()[0])
+    while player.parts.background.busy:
         player.frame(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=(300, 300), button=1), elapsed_ns=0)
     assert player.session is not before

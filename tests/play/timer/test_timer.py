@@ -30,12 +30,12 @@ class Waiting(Player):
 
     def __init__(self, height=48):
         super().__init__("hourglass", size=(700, 560))
-        self.toy.sessions.open_scene(scene_of(small_glass(height)), 1)
+        self.parts.sessions.open_scene(scene_of(small_glass(height)), 1)
         self.timer.clock = lambda: self.now_s
 
     @property
     def timer(self):
-        return self.toy.timer
+        return self.parts.timer
 
     def start(self, seconds):
         self.timer.set(seconds)
@@ -75,7 +75,7 @@ def waiting(monkeypatch):
 def test_the_last_grain_falls_within_a_frame_of_the_time(waiting, seconds):
     waiting.start(seconds)
     while waiting.timer.state == RUNNING:
-        ending = waiting.toy.planner.ask()
+        ending = waiting.parts.planner.ask()
         assert (waiting.session.now >= ending.at) == (waiting.timer.gone_s >= seconds)
         waiting.frame()
     assert waiting.session.now == ending.at and 0 <= waiting.timer.error_s <= FRAME_S + 1e-6
@@ -94,13 +94,13 @@ def test_acts_on_the_way_do_not_move_the_end(waiting):
     for act in (
         lambda: waiting.drag(waiting.pixel(16, 10), waiting.pixel(20, 12)),
         lambda: waiting.key(pygame.K_f, "f"),
-        lambda: waiting.toy.sessions.do(SetRule(Rule.with_p(0.3, "balanced"))),
+        lambda: waiting.parts.sessions.do(SetRule(Rule.with_p(0.3, "balanced"))),
         lambda: waiting.session.undo(),
-        lambda: waiting.toy.sessions.do(Load(scene_of(small_glass(70)), 2)),
+        lambda: waiting.parts.sessions.do(Load(scene_of(small_glass(70)), 2)),
     ):
         waiting.pass_time(1.5)
         act()
-        assert waiting.toy.planner.newest is not None, "the old pace goes on while the new one is worked out"
+        assert waiting.parts.planner.newest is not None, "the old pace goes on while the new one is worked out"
         waiting.pass_time(0.1)
         waiting.plan()
     waiting.run_out()
@@ -133,21 +133,21 @@ def test_a_new_plan_neither_jumps_nor_stalls(waiting):
     waiting.start(20)
     waiting.pass_time(8)
     before = waiting.session.now
-    waiting.toy.sessions.do(SetRule(Rule.with_p(0.7, "balanced")))
+    waiting.parts.sessions.do(SetRule(Rule.with_p(0.7, "balanced")))
     waiting.plan()
     waiting.wait(60)
-    pace = (waiting.toy.planner.ask().at - before) / 12
+    pace = (waiting.parts.planner.ask().at - before) / 12
     assert waiting.session.now - before == pytest.approx(pace * 62 * FRAME_S, abs=3)
 
 
 def test_a_plan_made_after_the_end_does_not_hold_before_it(waiting):
     waiting.session.timeline.run(2000)
     waiting.start(5)
-    assert waiting.toy.planner.ask().iterations == 0
+    assert waiting.parts.planner.ask().iterations == 0
     waiting.session.seek(100)
-    assert waiting.toy.planner.ask() is None
+    assert waiting.parts.planner.ask() is None
     waiting.plan()
-    assert waiting.toy.planner.ask().iterations > 0
+    assert waiting.parts.planner.ask().iterations > 0
 
 
 def test_a_pause_holds_the_time(waiting):
@@ -167,7 +167,7 @@ def test_after_a_long_sleep_it_ends_at_once_and_says_so(waiting):
     waiting.pass_time(1)
     waiting.frame(elapsed_ns=600 * 10**9)
     waiting.wait(2)
-    assert waiting.timer.state == OVER and waiting.session.now >= waiting.toy.planner.ask().at
+    assert waiting.timer.state == OVER and waiting.session.now >= waiting.parts.planner.ask().at
     assert waiting.timer.said == "0:05 ended 9:56 ago, while the computer slept."
 
 
@@ -194,7 +194,7 @@ def test_a_flip_that_the_turning_table_leaves_out_starts_no_time(waiting):
     waiting.start(1)
     waiting.run_out()
     waiting.key(pygame.K_f, "F", pygame.KMOD_SHIFT)
-    assert waiting.toy.display.stage.turn
+    assert waiting.parts.display.stage.turn
     waiting.key(pygame.K_f, "f")
     assert waiting.timer.state == OVER
 
@@ -210,34 +210,34 @@ def test_sand_goes_on_settling_at_the_pace(waiting):
 
 
 def test_a_timer_without_sand_to_fall_still_ends_on_time(waiting):
-    waiting.toy.commands.sand.clear()
+    waiting.parts.commands.sand.clear()
     waiting.start(2)
-    assert "No sand is above the neck" in waiting.toy.notices.text
+    assert "No sand is above the neck" in waiting.parts.notices.text
     waiting.run_out()
     assert waiting.timer.error_s <= FRAME_S + 1e-6 and "No sand was left" in waiting.timer.said
 
 
 def test_sand_that_cannot_pass_is_told_of(waiting):
     height, width = waiting.world.shape
-    waiting.toy.sessions.do(Paint("wall", (0.0, height / 2), (float(width), height / 2), 3))
+    waiting.parts.sessions.do(Paint("wall", (0.0, height / 2), (float(width), height / 2), 3))
     waiting.session.timeline.run(200)
     waiting.start(2)
-    assert "is stuck" in waiting.toy.notices.text
+    assert "is stuck" in waiting.parts.notices.text
     waiting.run_out()
     assert "was stuck" in waiting.timer.said
 
 
 def test_a_scene_without_end_is_told_of(waiting, monkeypatch):
     monkeypatch.setattr("game.world.sessions.run_out.find_run_out.__defaults__", (None, 4000, 10**10))
-    waiting.toy.sessions.do(SetRule(Rule.with_p(1e-7, "balanced")))
+    waiting.parts.sessions.do(SetRule(Rule.with_p(1e-7, "balanced")))
     waiting.start(2)
-    assert "No end of this sand can be foreseen: the timer only counts" in waiting.toy.notices.text
+    assert "No end of this sand can be foreseen: the timer only counts" in waiting.parts.notices.text
     waiting.run_out()
     assert waiting.timer.error_s <= FRAME_S + 1e-6 and "No end of this sand" in waiting.timer.said
 
 
 def test_an_end_that_was_not_found_in_time_is_told_as_such(waiting, monkeypatch):
-    monkeypatch.setattr(waiting.toy.planner, "ask", lambda: None)
+    monkeypatch.setattr(waiting.parts.planner, "ask", lambda: None)
     waiting.start(1)
     waiting.pass_time(PATIENCE_S + 1.5)
     assert waiting.timer.state == OVER and "was not found in time" in waiting.timer.said
@@ -269,7 +269,7 @@ def test_stopping_gives_the_speed_back(waiting):
 def test_another_scene_gets_its_own_speed_back_and_not_that_of_the_one_before(waiting):
     waiting.start(30)
     waiting.pass_time(0.3)
-    waiting.toy.sessions.load("clocks")
+    waiting.parts.sessions.load("clocks")
     waiting.plan()
     waiting.pass_time(0.3)
     assert waiting.session.clock.speed != waiting.session.scene.speed
@@ -295,9 +295,9 @@ def test_a_session_that_was_left_gets_its_speed_back(waiting, stopped_there):
 
 
 def test_the_panel_sets_and_starts_it(waiting):
-    waiting.toy.panel.timer.open = True
+    waiting.parts.panel.timer.open = True
     waiting.wait(1)
-    waiting.click(waiting.parts("Minutes")[3].center)
+    waiting.click(waiting.parts_of("Minutes")[3].center)
     assert waiting.timer.wanted_s == 600
     waiting.click(waiting.control("Timer start"))
     waiting.plan()
@@ -305,15 +305,15 @@ def test_the_panel_sets_and_starts_it(waiting):
     waiting.click(waiting.control("A glass for it"))
     waiting.plan()
     assert waiting.session.scene.name == "glass" and waiting.timer.state == RUNNING
-    assert 30 <= waiting.toy.planner.ask().iterations / 600 <= 240
+    assert 30 <= waiting.parts.planner.ask().iterations / 600 <= 240
 
 
 def test_its_slider_goes_from_a_second_by_even_steps_to_two_hours(waiting):
-    waiting.toy.panel.timer.open = True
+    waiting.parts.panel.timer.open = True
     waiting.wait(1)
     waiting.click(waiting.control("Any time", 0.0))
     assert waiting.timer.wanted_s == 1
-    waiting.toy.panel.ui.focus.by_keyboard = True
+    waiting.parts.panel.ui.focus.by_keyboard = True
     seen = [1]
     while seen[-1] < 7200:
         waiting.key(pygame.K_RIGHT)
@@ -330,28 +330,28 @@ def test_its_slider_goes_from_a_second_by_even_steps_to_two_hours(waiting):
     ("seconds", "words"), [(1, "1 s"), (10, "10 s"), (1.5, "1.5 s"), (90, "1:30"), (5400, "1:30 h")]
 )
 def test_its_slider_shows_what_was_asked_for_where_it_is(waiting, seconds, words):
-    waiting.toy.panel.timer.open = True
+    waiting.parts.panel.timer.open = True
     waiting.timer.set(seconds)
     waiting.wait(1)
-    texts = [how[0] for _, _, *how in waiting.toy.panel.ui._strokes if how]
+    texts = [how[0] for _, _, *how in waiting.parts.panel.ui._strokes if how]
     assert words in texts and waiting.timer.wanted_s == seconds
-    edge, wide = HANDLE, waiting.parts("Any time")[0].width
+    edge, wide = HANDLE, waiting.parts_of("Any time")[0].width
     waiting.click(waiting.control("Any time", (edge + (wide - 2 * edge) * np.log(seconds) / np.log(7200)) / wide))
     assert waiting.timer.wanted_s == pytest.approx(seconds, rel=0.1, abs=0.5)
 
 
 @pytest.mark.parametrize("reduced", [True, False])
 def test_the_frame_glows_for_a_while(waiting, reduced):
-    waiting.toy.settings["reduced_motion"] = reduced
-    corner = waiting.toy.display.layout.sand.x + 1, waiting.toy.display.layout.sand.centery
-    dark = waiting.toy.window.surface.get_at(corner)
+    waiting.parts.settings["reduced_motion"] = reduced
+    corner = waiting.parts.display.layout.sand.x + 1, waiting.parts.display.layout.sand.centery
+    dark = waiting.parts.window.surface.get_at(corner)
     waiting.start(1)
     waiting.run_out()
     waiting.wait(40)
-    bright = waiting.toy.window.surface.get_at(corner)
+    bright = waiting.parts.window.surface.get_at(corner)
     assert sum(bright[:3]) > sum(dark[:3])
     waiting.pass_time(6)
-    assert waiting.toy.window.surface.get_at(corner) == dark and not waiting.toy.glow.shown
+    assert waiting.parts.window.surface.get_at(corner) == dark and not waiting.parts.glow.shown
 
 
 # --- without a window ---

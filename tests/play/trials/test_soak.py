@@ -16,15 +16,15 @@ from game.play.trials.soak import Soak
 
 pygame.font.init()
 soak = Soak(seed=5)
-toy, known = soak.toy, ready()
+parts, known = soak.app.parts, ready()
 for name in ("hourglass", "rainbow", "fountain", "city"):
-    toy.sessions.load(name)
+    parts.sessions.load(name)
     soak.run(0.1, print)
     shown = "view.toggle_forecast", "view.toggle_plots"
     for command in ("sand.flip", "sand.compare", "time.undo", "sand.compare", *shown, "time.redo"):
-        toy.commands.give(command)
+        parts.commands.give(command)
         soak.run(0.1, print)
-    toy.sessions.now.world.digest()
+    parts.sessions.now.world.digest()
 assert ready() == known, ready() - known
 """
 
@@ -33,7 +33,7 @@ assert ready() == known, ready() - known
 def soak():
     soak = Soak(seed=7)
     yield soak
-    soak.toy.close()
+    soak.app.parts.close()
     pygame.display.quit()
 
 
@@ -48,7 +48,7 @@ def test_no_kernel_is_compiled_in_mid_play():
 
 def test_a_grain_that_is_lost_is_found_out(soak):
     soak.run(0.2, say=print)
-    soak.toy.sessions.now.world.planes[0] = 0
+    soak.app.parts.sessions.now.world.planes[0] = 0
     with pytest.raises(SoakError, match="grains, wanted"):
         soak.run(1.0, say=print)
 
@@ -62,6 +62,6 @@ def test_the_same_seed_gives_the_same_input():
 
 
 def test_the_hand_does_not_raise_the_limit_of_memory(soak):
-    soak.toy.sessions.now.limit_memory(8 * MEMORY_MB)
+    soak.app.parts.sessions.now.limit_memory(8 * MEMORY_MB)
     soak.run(0.1, say=print)
-    assert soak.toy.sessions.now.memory_mb <= MEMORY_MB
+    assert soak.app.parts.sessions.now.memory_mb <= MEMORY_MB

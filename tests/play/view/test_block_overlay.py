@@ -23,14 +23,14 @@ def close(glass):
 
 
 def shown(player):
-    area = player.toy.display.layout.sand
-    return pygame.surfarray.array2d(player.toy.window.surface)[: area.width, : area.height]
+    area = player.parts.display.layout.sand
+    return pygame.surfarray.array2d(player.parts.window.surface)[: area.width, : area.height]
 
 
 def test_they_come_with_a_key_and_go_without_a_trace(close):
     before = shown(close)
     close.key(pygame.K_b, "b")
-    assert (shown(close) != before).any() and close.toy.blocks.shown
+    assert (shown(close) != before).any() and close.parts.block_overlay.shown
     close.key(pygame.K_b, "b")
     assert (shown(close) == before).all()
 
@@ -39,10 +39,10 @@ def test_they_are_hidden_from_afar_and_while_time_runs(close):
     close.key(pygame.K_b, "b")
     close.session.paused = False
     close.frame()
-    assert not close.toy.blocks.shown and close.toy.blocks.on
+    assert not close.parts.block_overlay.shown and close.parts.block_overlay.on
     close.hold_time()
     close.key(pygame.K_0, "0")
-    assert not close.toy.blocks.shown
+    assert not close.parts.block_overlay.shown
 
 
 def test_what_is_drawn_piece_by_piece_is_what_is_drawn_at_once(close):
@@ -57,17 +57,17 @@ def test_what_is_drawn_piece_by_piece_is_what_is_drawn_at_once(close):
     close.pointer = None
     close.wait(100)
     before = shown(close)
-    close.toy.display.stage.refresh()
+    close.parts.display.stage.refresh()
     close.frame()
     assert (shown(close) == before).all()
 
 
 def test_a_step_leaves_trails_until_something_else_happens(close):
     close.key(pygame.K_b, "b")
-    view = close.toy.display.stage.view
+    view = close.parts.display.stage.view
     coming = coming_events(close.world, close.session.rule, part_in_sight(view))
     close.key(pygame.K_PERIOD, ".")
-    blocks = close.toy.blocks
+    blocks = close.parts.block_overlay
     assert len(blocks.trails.rows) + len(blocks.stays.rows) == len(coming.rows) > 0
     close.frame()
     assert blocks.trails is not None

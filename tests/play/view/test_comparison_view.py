@@ -18,7 +18,7 @@ def three():
     player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
     player.wait(1)
     yield player
-    player.toy.close()
+    player.parts.close()
     pygame.display.quit()
 
 
@@ -30,7 +30,7 @@ def shifts(view):
 def places_in(player, column, row):
     """Return the pixel of a cell in each pane."""
     x, y = player.pixel(column, row)
-    return [(x + dx, y + dy) for dx, dy in shifts(player.toy.display.stage)]
+    return [(x + dx, y + dy) for dx, dy in shifts(player.parts.display.stage)]
 
 
 def test_the_key_shows_the_present_sand_three_times_and_goes_back_to_where_it_was():
@@ -51,7 +51,7 @@ def test_the_key_shows_the_present_sand_three_times_and_goes_back_to_where_it_wa
 
 def test_a_stroke_in_any_pane_is_painted_in_all(three):
     three.hold_time()
-    three.toy.brush.diameter = 5
+    three.parts.brush.diameter = 5
     for number in range(3):
         three.key(pygame.K_c, "c")
         three.drag(places_in(three, 60, 190)[number], places_in(three, 90, 200)[number])
@@ -72,13 +72,13 @@ def test_each_pane_shows_its_own_world_and_what_is_left(three):
     three.wait(200)
     three.hold_time()
     three.wait(20)
-    surface = pygame.surfarray.array3d(three.toy.window.surface)
+    surface = pygame.surfarray.array3d(three.parts.window.surface)
     seen = []
-    for dx, dy in shifts(three.toy.display.stage):
-        left, top, right, bottom = three.toy.display.stage.view.seen
+    for dx, dy in shifts(three.parts.display.stage):
+        left, top, right, bottom = three.parts.display.stage.view.seen
         seen.append(surface[left + dx : right + dx, top + dy : bottom + dy])
     assert (seen[0] != seen[1]).any() and (seen[1] != seen[2]).any()
-    titles = three.toy.display.stage.titles()
+    titles = three.parts.display.stage.titles()
     for schedule, session in three.session.sessions.items():
         left = int(np.count_nonzero(session.world.sand[: session.scene.neck]))
         assert titles[schedule] == (schedule.capitalize(), f"{left:,} left above")
@@ -87,12 +87,12 @@ def test_each_pane_shows_its_own_world_and_what_is_left(three):
 @pytest.mark.parametrize(("size", "scale"), [((640, 480), 1), ((1100, 700), 1), ((1360, 860), 2), ((1360, 860), 3)])
 def test_name_and_count_of_a_title_lie_side_by_side_and_every_name_is_whole(three, monkeypatch, size, scale):
     written = []
-    three.toy.settings.override("ui_scale", scale)
+    three.parts.settings.override("ui_scale", scale)
     pygame.display.set_mode(size, pygame.RESIZABLE, 32)
     words = draw_list.words
     monkeypatch.setattr(draw_list, "words", lambda *how: written.append(how) or words(*how))
     three.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-    stage, theme = three.toy.display.stage, three.toy.display.theme
+    stage, theme = three.parts.display.stage, three.parts.display.theme
     for schedule, title in stage._titles.items():
         (name, text, kind), (left, count, other) = [each[2:5] for each in written if title.contains(each[2])]
         assert text == schedule.capitalize() and name.x + theme.width(text, kind) <= name.right
@@ -102,12 +102,12 @@ def test_name_and_count_of_a_title_lie_side_by_side_and_every_name_is_whole(thre
 def test_a_line_parts_zoomed_panes_and_comes_back_from_under_a_notice(three):
     for _ in range(8):
         three.key(pygame.K_PLUS, "", pygame.KMOD_CTRL)
-    three.toy.notices.say("A line over all three panes, from the first to the last")
+    three.parts.notices.say("A line over all three panes, from the first to the last")
     three.hold_time()
     three.wait(900)
-    assert not three.toy.notices.shown
-    surface, edge = three.toy.window.surface, three.toy.display.theme.rgb("edge")
-    for gap in three.toy.display.stage._gaps:
+    assert not three.parts.notices.shown
+    surface, edge = three.parts.window.surface, three.parts.display.theme.rgb("edge")
+    for gap in three.parts.display.stage._gaps:
         assert {
             tuple(surface.get_at((x, y))[:3]) for x in range(gap.left, gap.right) for y in range(gap.top, gap.bottom)
         } == {edge}
@@ -115,9 +115,9 @@ def test_a_line_parts_zoomed_panes_and_comes_back_from_under_a_notice(three):
 
 def test_the_badge_leaves_the_titles_free(three):
     three.key(pygame.K_PLUS, "", pygame.KMOD_CTRL)
-    badge = three.toy.camera.badge
-    covered = badge.draw(three.toy.window.surface, three.toy.display.theme, three.toy.display.layout.sand)
-    assert all(rect.collidelist([*three.toy.display.stage._titles.values()]) < 0 for rect in covered)
+    badge = three.parts.camera.badge
+    covered = badge.draw(three.parts.window.surface, three.parts.display.theme, three.parts.display.layout.sand)
+    assert all(rect.collidelist([*three.parts.display.stage._titles.values()]) < 0 for rect in covered)
 
 
 def test_a_flip_turns_all_three_and_undo_brings_them_back(three):
@@ -133,7 +133,7 @@ def test_a_flip_turns_all_three_and_undo_brings_them_back(three):
 
 
 def test_undo_that_is_held_neither_leaves_the_comparison_nor_goes_on_beyond_it(three):
-    own = next(iter(three.toy.sessions.waiting))
+    own = next(iter(three.parts.sessions.waiting))
     own.timeline.do(Clear())
     three.hold_time()
     three.key(pygame.K_c, "c")

@@ -17,7 +17,7 @@ def said(player, seconds):
     heard = []
     for _ in range(int(seconds * 10)):
         player.frame(elapsed_ns=100_000_000)
-        text = player.toy.notices.text
+        text = player.parts.notices.text
         if text in (PAINT, FLIP, P) and heard[-1:] != [text]:
             heard.append(text)
     return heard
@@ -26,7 +26,7 @@ def said(player, seconds):
 def test_every_hint_comes_at_its_moment_and_never_again(glass):
     assert said(glass, HINTS[0].after_s - 1) == []
     assert said(glass, 100) == [PAINT, P, FLIP]
-    glass.toy.commands.sand.restart()
+    glass.parts.commands.sand.restart()
     assert said(glass, 100) == []
 
 
@@ -43,17 +43,17 @@ def test_who_knows_is_not_told(glass):
     glass.key(pygame.K_f)
     glass.click(glass.control("p", 0.3))
     assert said(glass, 120) == []
-    assert set(glass.toy.settings["hints_seen"]) == {hint.name for hint in HINTS}
+    assert set(glass.parts.settings["hints_seen"]) == {hint.name for hint in HINTS}
 
 
 def test_what_is_done_in_a_replay_is_not_known_to_who_looks_on(glass):
     for name in demos():
-        glass.toy.files.play_demo(name)
+        glass.parts.files.play_demo(name)
         glass.settle()
         glass.wait(3)
-    assert glass.toy.settings["hints_seen"] == ()
+    assert glass.parts.settings["hints_seen"] == ()
     glass.key(pygame.K_f)
-    assert glass.toy.settings["hints_seen"] == ("flip",)
+    assert glass.parts.settings["hints_seen"] == ("flip",)
 
 
 @pytest.mark.parametrize("code", [pygame.K_F1, pygame.K_F2])
@@ -65,14 +65,14 @@ def test_no_hint_is_shown_behind_a_page(glass, code):
 
 
 def test_hints_keep_their_distance(glass):
-    glass.toy.settings["hints_seen"] = ("flip",)
+    glass.parts.settings["hints_seen"] = ("flip",)
     glass.frame(elapsed_ns=0)
     glass.now_s += 60
     assert said(glass, APART_S - 1) == [PAINT] and said(glass, 3) == [P]
 
 
 def test_an_empty_lattice_that_rests_needs_no_flip(player):
-    player.toy.settings["hints_seen"] = ("paint", "p")
+    player.parts.settings["hints_seen"] = ("paint", "p")
     assert said(player, 20) == []
     player.key(pygame.K_z, mod=CTRL)
-    assert player.toy.settings["hints_seen"] == ("paint", "p")
+    assert player.parts.settings["hints_seen"] == ("paint", "p")

@@ -31,8 +31,8 @@ def late(ms, wanted_ms):
 
 def line(player):
     """Return the words of the line and their colour."""
-    _, _, words, _, colour, _ = player.toy.hud.drawing(
-        player.toy.display.theme, pygame.Rect(0, 0, 2000, 30), player.session
+    _, _, words, _, colour, _ = player.parts.status_line.drawing(
+        player.parts.display.theme, pygame.Rect(0, 0, 2000, 30), player.session
     )[1]
     return words, colour
 
@@ -76,25 +76,25 @@ def test_the_line_says_when_the_sand_rests(player):
 
 
 def test_too_high_a_speed_is_said_plainly_with_what_is_reached(glass):
-    glass.toy.sessions.load("fountain")  # which never comes to rest
+    glass.parts.sessions.load("fountain")  # which never comes to rest
     glass.session.clock.speed = 1_000_000
     glass.wait(30)
     words, colour = line(glass)
     assert "of 1,000,000 iterations a second, all that this computer can do" in words and colour == look.ACCENT
-    glass.toy.figures.toggle()
+    glass.parts.stats_card.toggle()
     glass.wait(20)
-    assert FULL in " ".join(glass.toy.figures.lines)
+    assert FULL in " ".join(glass.parts.stats_card.lines)
 
 
 def test_iterations_left_out_by_a_busy_machine_are_no_alarm(glass, monkeypatch):
     run = glass.session.timeline.run
-    glass.toy.settings["smooth_streams"] = False
+    glass.parts.settings["smooth_streams"] = False
     monkeypatch.setattr(glass.session.timeline, "run", lambda iterations, *how: run(iterations // 2, *how))
-    glass.toy.figures.toggle()
+    glass.parts.stats_card.toggle()
     glass.wait(40)
     words, colour = line(glass)
     assert "computer" not in words and colour == look.DIM and int(words.split()[0]) < 120
-    assert BUSY in " ".join(glass.toy.figures.lines)
+    assert BUSY in " ".join(glass.parts.stats_card.lines)
 
 
 def test_a_grain_that_is_not_on_the_books_is_noticed(player):
@@ -108,39 +108,41 @@ def test_a_grain_that_is_not_on_the_books_is_noticed(player):
 
 
 def test_the_figures_come_where_the_pointer_rests_and_go_with_it(glass):
-    glass.pointer = glass.toy.display.layout.hud.center
+    glass.pointer = glass.parts.display.layout.status_line.center
     glass.wait(10)
-    assert not glass.toy.figures.shown
+    assert not glass.parts.stats_card.shown
     glass.wait(40)
-    words = " ".join(glass.toy.figures.lines)
+    words = " ".join(glass.parts.stats_card.lines)
     assert all(word in words for word in ("frames a second", "16 ms", "iterations a second", "at the start", "MB"))
     glass.pointer = glass.pixel(10, 10)
     glass.wait(3)
-    assert not glass.toy.figures.shown
+    assert not glass.parts.stats_card.shown
 
 
 def test_a_click_on_the_line_keeps_the_figures(glass):
-    place = glass.toy.display.layout.hud.center
+    place = glass.parts.display.layout.status_line.center
     glass.click(place)
     glass.pointer = None
     glass.wait(3)
-    assert glass.toy.figures.shown
+    assert glass.parts.stats_card.shown
     glass.click(place)
     glass.wait(3)
-    assert not glass.toy.figures.shown
+    assert not glass.parts.stats_card.shown
 
 
 @pytest.mark.parametrize("size", [(640, 480), (1280, 720)])
 @pytest.mark.parametrize("scale", [0.75, 1, 3])
 def test_figures_and_a_notice_share_the_lower_edge(glass, size, scale):
-    glass.toy.settings.override("ui_scale", scale)
+    glass.parts.settings.override("ui_scale", scale)
     pygame.display.set_mode(size, pygame.RESIZABLE, 32)
     glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-    glass.toy.figures.toggle()
-    glass.toy.notices.say("A line that is long enough to be broken where a window is as small as this one may be")
+    glass.parts.stats_card.toggle()
+    glass.parts.notices.say("A line that is long enough to be broken where a window is as small as this one may be")
     glass.wait(20)
-    toy, area = glass.toy, glass.toy.display.layout.sand
-    (card,), (notice,) = (each.draw(toy.window.surface, toy.display.theme, area) for each in (toy.figures, toy.notices))
+    parts, area = glass.parts, glass.parts.display.layout.sand
+    (card,), (notice,) = (
+        each.draw(parts.window.surface, parts.display.theme, area) for each in (parts.stats_card, parts.notices)
+    )
     assert not card.colliderect(notice) and area.contains(card) and area.contains(notice)
-    rows = toy.figures._rows()
+    rows = parts.stats_card._rows()
     assert not any("…" in row for row in rows)

@@ -9,8 +9,8 @@ WAVE = np.zeros((4410, 2))
 
 @pytest.fixture
 def mixer(player):
-    yield player.toy.audio
-    player.toy.audio.close()
+    yield player.parts.audio
+    player.parts.audio.close()
 
 
 def test_nothing_is_opened_until_somebody_wants_to_be_heard(player):

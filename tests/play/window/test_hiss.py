@@ -11,33 +11,33 @@ from game.play.window.audio import RATE
 @pytest.fixture
 def heard(glass):
     """Return a Player of the hourglass with sound."""
-    glass.toy.settings["sound"] = True
+    glass.parts.settings["sound"] = True
     glass.frame()
     glass.settle()
     glass.settle()
     yield glass
-    glass.toy.audio.close()
+    glass.parts.audio.close()
 
 
 def test_nothing_is_looked_at_or_opened_unless_sound_is_chosen(glass, monkeypatch):
     monkeypatch.setattr(hiss.MotionMeter, "look", lambda self, world: pytest.fail("looked"))
     glass.wait(30)
-    assert not glass.toy.audio.asked
+    assert not glass.parts.audio.asked
 
 
 def test_flowing_sand_is_heard_and_held_sand_is_not(heard):
     heard.wait(90)
-    flowing = heard.toy.hiss.level
+    flowing = heard.parts.hiss.level
     assert flowing > 0.1 and pygame.mixer.get_busy()
     heard.hold_time()
     heard.wait(90)
-    assert heard.toy.hiss.level < 0.01
+    assert heard.parts.hiss.level < 0.01
 
 
 def test_m_switches_it_off_and_it_fades_out(heard):
     heard.wait(60)
     heard.key(pygame.K_m)
-    assert not heard.toy.settings["sound"] and pygame.mixer.get_busy()
+    assert not heard.parts.settings["sound"] and pygame.mixer.get_busy()
     heard.wait(120)
     assert not pygame.mixer.get_busy()
 
@@ -54,7 +54,7 @@ class Ear:
 
 @pytest.mark.parametrize("side", [-1, 0, 1])
 def test_the_volume_is_what_was_set_and_comes_from_its_side(glass, monkeypatch, side):
-    ear, settings = Ear(), glass.toy.settings
+    ear, settings = Ear(), glass.parts.settings
     monkeypatch.setattr(hiss, "sound_of", lambda wave: ear)
     monkeypatch.setattr(hiss.MotionMeter, "look", lambda self, world: (2**hiss.LOUDEST, side))
     settings["sound"] = True
@@ -68,13 +68,13 @@ def test_the_volume_is_what_was_set_and_comes_from_its_side(glass, monkeypatch, 
     settings["volume"] = 0
     glass.frame()
     assert ear.heard == (0, 0)
-    glass.toy.audio.close()
+    glass.parts.audio.close()
 
 
 def test_without_a_card_the_player_is_told_once_and_plays_on(glass):
-    glass.toy.audio.asked, glass.toy.audio.trouble = True, "none"
+    glass.parts.audio.asked, glass.parts.audio.trouble = True, "none"
     glass.key(pygame.K_m)
-    assert "No sound card" in glass.toy.notices.text
+    assert "No sound card" in glass.parts.notices.text
     at = glass.world.iteration
     glass.wait(20)
     assert glass.world.iteration > at
@@ -86,7 +86,7 @@ def test_a_card_that_does_not_open_takes_the_promise_of_sound_back(glass, monkey
     glass.key(pygame.K_m)
     glass.settle()
     glass.wait(2)
-    assert "No sound card" in glass.toy.notices.text
+    assert "No sound card" in glass.parts.notices.text
 
 
 def test_the_loop_has_no_seam_no_clipping_and_no_hum():

@@ -1,0 +1,148 @@
+"""The parts of one window, each made with exactly what it uses."""
+
+import pygame
+
+from game.play.controls.brush import Brush
+from game.play.controls.camera import Camera
+from game.play.controls.commands import Commands, FileCommands, SandCommands, TimeCommands, ViewCommands
+from game.play.controls.event_router import EventRouter
+from game.play.controls.fast_forward import FastForward
+from game.play.controls.held_keys import HeldKeys
+from game.play.controls.keyboard_cursor import KeyboardCursor
+from game.play.controls.pointer import Pointer
+from game.play.controls.rewind import Rewind
+from game.play.controls.time_bar import TimeBar
+from game.play.forecast.forecasting import Forecasting
+from game.play.frame_step import FrameStep
+from game.play.pages.gallery import Gallery
+from game.play.pages.help import Help
+from game.play.panel.panel import Panel
+from game.play.plots.plots import Plots
+from game.play.storage.crash_recovery import CrashRecovery
+from game.play.storage.files import Files
+from game.play.storage.journals import Journals
+from game.play.storage.open_sessions import Sessions
+from game.play.storage.photo_import import PhotoImport
+from game.play.storage.recorder import Recorder
+from game.play.storage.settings_saver import SettingsSaver
+from game.play.timer.chime import Chime
+from game.play.timer.glow import Glow
+from game.play.timer.run_out_planner import RunOutPlanner
+from game.play.timer.timer import Timer
+from game.play.ui.widgets import Ui
+from game.play.view.block_overlay import BlockOverlay
+from game.play.view.dialog import Dialog
+from game.play.view.display import Display
+from game.play.view.frame_stats import FrameStats
+from game.play.view.hints import Hints
+from game.play.view.notices import Notices
+from game.play.view.renderer import Renderer
+from game.play.view.stats_card import StatsCard
+from game.play.view.status_line import StatusLine
+from game.play.window.audio import Audio
+from game.play.window.background import Background
+from game.play.window.hiss import Hiss
+from game.world.sessions.session import Session
+
+
+class Parts:
+    """Everything that the window shows, hears and keeps; no part knows this class."""
+
+    def __init__(self, window, scene, seed, settings, on_switch):
+        """`on_switch()` is called after another session, or another scene, has taken the place of the one shown."""
+        self.window, self.settings = window, settings
+        self.running = True  # the player has not quit
+        self._make_holders(scene, seed, on_switch)
+        self._make_parts()
+        self._make_controls()
+
+    def _make_holders(self, scene, seed, on_switch):
+        """Make what the parts share."""
+        self.display = Display(self.window, self.settings, lambda: self.plots.measured_row)
+        self.notices = Notices(lambda: self.stats_card.height)
+        self.background = Background(lambda error: self.notices.say(error, trouble=True))
+        self.journals = Journals(self.notices.say)
+        self.sessions = Sessions(Session(scene, seed), self.journals, self.notices, on_switch)
+        self.frame_stats, self.audio = FrameStats(), Audio(self.background)
+        self.brush, self.pointer, self.keys = Brush(self.sessions), Pointer(self.display), HeldKeys(self.sessions)
+
+    def _make_parts(self):
+        """Make what is shown, stored and heard."""
+        self.status_line = StatusLine(self.frame_stats)
+        self.stats_card = StatsCard(self.sessions, self.display, self.frame_stats)
+        self.block_overlay = BlockOverlay(self.sessions, self.display, self.notices)
+        self.forecasting = Forecasting(self.sessions, self.display, self.pointer)
+        self.plots = Plots(self)
+        self.dialog = Dialog(self.display)
+        self.photo_import = PhotoImport(self.sessions, self.display)
+        self.files = Files(self.sessions, self.journals, self.photo_import, self.background, self.notices)
+        self.recorder = Recorder(self.sessions, self.display, self.background, self.notices)
+        self.crash_recovery = CrashRecovery(self.sessions, self.journals, self.dialog, self.background, self.notices)
+        self.settings_saver = SettingsSaver(
+            self.settings, self.sessions, self.brush, self.window, self.background, self.notices
+        )
+        self.gallery = Gallery(self)
+        self.help = Help(self)
+        self.display.pages = self.help, self.gallery
+        self.hiss = Hiss(self.sessions, self.settings, self.audio, self.background, self.notices)
+        self.planner = RunOutPlanner(self.sessions, self.background)
+        self.glow = Glow(self.display, self.settings)
+        chime = Chime(self.settings, self.audio, self.background)
+        self.timer = Timer(self.sessions, self.planner, self.notices, self.window.set_title, self.glow, chime)
+        self.panel = Panel(Ui(self.display.theme))
+
+    def _make_controls(self):
+        """Make what keys and pointer work, and tell in which order all parts hear and are seen."""
+        sessions, display, notices, brush = self.sessions, self.display, self.notices, self.brush
+        self.rewind, self.time_bar = Rewind(), TimeBar()
+        self.camera = Camera(sessions, display, self.pointer, brush, lambda: self.commands.time.pause())
+        self.cursor = KeyboardCursor(sessions, brush, self.panel.ui.focus)
+        self.fast_forward = FastForward(sessions, self.background, notices, self.keys)
+        self.commands = Commands(
+            TimeCommands(sessions, notices, self.keys, self.fast_forward, self.timer, self.panel.timer.unfold),
+            SandCommands(sessions, self.journals, self.settings, display, notices, brush, self.camera, self.timer),
+            ViewCommands(
+                *(sessions, display, notices, brush, self.camera, self.cursor, self.block_overlay),
+                *(self.forecasting, self.plots, self.help, self.hiss, self.quit),
+            ),
+            FileCommands(sessions, self.files, self.gallery, self.recorder, self.plots),
+        )
+        first = self.rewind, self.camera, self.fast_forward
+        on_window = {
+            pygame.QUIT: lambda event: self.quit(),
+            pygame.WINDOWFOCUSLOST: lambda event: self.let_go(),
+            pygame.WINDOWEXPOSED: lambda event: display.lay_out_anew(),
+            pygame.WINDOWSIZECHANGED: lambda event: display.lay_out_anew(),
+            pygame.DROPFILE: lambda event: self.files.open(event.file),
+        }
+        self.event_router = EventRouter(
+            display, self.pointer, self.keys, self.commands, brush, self.time_bar, self.stats_card, first, on_window
+        )
+        pacers = self.fast_forward, self.timer
+        self.frame_step = FrameStep(sessions, display, self.settings, self.time_bar, self.rewind, pacers)
+        self.renderer = Renderer(display)
+        badge, self.cards = self.camera.badge, (self.photo_import, self.dialog)  # the first card lies on top
+        self.overlays = [self.glow, self.forecasting, badge, self.stats_card, *self.cards[::-1], self.notices]
+        hints = Hints(self.settings, sessions, display, notices)
+        self.watchers = [self.recorder, self.settings_saver, badge, self.stats_card, self.hiss, hints]
+        self.watchers += [self.forecasting, self.plots, self.fast_forward, self.timer, self.glow]
+
+    def let_go(self):
+        """Let go of all that a key or a button holds: nobody may hear it come up."""
+        holders = self.brush, self.pointer, self.time_bar, self.camera, self.rewind, self.fast_forward, self.panel.ui
+        for each in (*holders, *self.cards):
+            each.let_go()
+
+    def quit(self):
+        """Play no further frame."""
+        self.running = False
+
+    def close(self):
+        """End every session's journal and wait for what is being written."""
+        self.recorder.stop()
+        self.planner.close()
+        self.forecasting.close()
+        self.sessions.close()
+        self.settings_saver.close()
+        self.background.finish()
+        self.audio.close()
