@@ -211,7 +211,7 @@ class FastForward:
             self.stop()
             return
         gone = f"{at - self._start:,} iterations, computed in {took_s:.2f} s."
-        said = {SETTLING: "Nothing can move any more after", AWAITING: "A grain passes the neck after"}[self._mode]
+        said = {SETTLING: "At rest after", AWAITING: "A grain passes the neck after"}[self._mode]
         self._notices.say("Nothing can move here." if at == self._start else f"{said} {gone}")
         if self._mode == AWAITING:
             session.paused = True

@@ -13,7 +13,7 @@ from game.world.sessions.snapshots import MEGABYTE
 WIDTH = 400  # pixels at scale 1
 PAD = 10
 AWAY = 10  # from the lower left corner of the sand
-BUSY = "frames came late, for this computer was busy with something else"
+BUSY = "frames came late: this computer was busy with something else"
 FULL = "the sand takes all the time that frames have"
 
 

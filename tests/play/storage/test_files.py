@@ -441,6 +441,20 @@ def test_a_journal_that_breaks_off_costs_a_line_and_no_sand(player):
     assert player.session.journal is None
 
 
+def test_the_journal_of_a_paused_window_does_not_grow(player, monkeypatch):
+    monkeypatch.setattr(journal, "WAIT_S", 0.0)
+    player.parts.crash_recovery.start()
+    player.hold_time()
+    player.wait(1)
+    path = player.session.journal.path
+    size = path.stat().st_size
+    player.wait(30)
+    assert path.stat().st_size == size
+    player.session.paused = False
+    player.wait(30)
+    assert path.stat().st_size > size
+
+
 def test_leaving_ends_the_journal(player):
     player.parts.crash_recovery.start()
     player.click(player.pixel(20, 20))

@@ -51,7 +51,7 @@ def check(player, show):
         player.pointer = 20 + 9 * number, 300 - 4 * number
         player.frame()
     player.pointer = None
-    player.parts.forecasting.look = lambda now_s: None  # no other answer comes between the two pictures
+    player.parts.forecasting.update = lambda now_s: None  # no other answer comes between the two pictures
     player.wait(2)
     assert any(each.shown for each in player.parts.overlays)
     often = sand_of(player)
