@@ -156,6 +156,8 @@ def _load(options):
         scene, seed = load_start(SCENE if options.scene is None else options.scene, options.size)
     except (SceneError, PictureError) as error:
         raise SystemExit(_refuse(error)) from None
+    if scene.problem:
+        print(f"sandglass: {scene.problem}", file=sys.stderr)
     return scene, seed if options.seed is None else options.seed
 
 

@@ -5,15 +5,14 @@ from functools import partial
 import pygame
 
 from game.play.ui.input import key_name
-from game.world.files.atomic import trouble
+from game.world.files.atomic import FileError, trouble
 from game.world.files.paths import folder_of
-from game.world.scenes.cell_arrays import FORMATS
 from game.world.scenes.open_scene import PICTURES
+from game.world.scenes.picture_file import thumbnail_of
 
 AWAY = "put away"  # the folder of scenes that are not to be listed
 BATCH = 6  # pictures read at a time
 LARGEST = 640, 480  # pixels of a picture that is kept
-HUGE = 4096  # pixels
 KEPT = 30  # pictures kept that are out of sight; up to 0.9 MB each
 
 
@@ -121,20 +120,12 @@ class SavedScenes:
 
 
 def _thumbnails(paths):
-    """Return [(path, size, RGB bytes)], with (path, None, None) for a file without a picture."""
-    from PIL import Image, ImageOps
-
-    Image.MAX_IMAGE_PIXELS = None  # a saved scene may be as large as a lattice
+    """Return [(path, size, RGB bytes)], with (path, None, None) for a file that would not be opened."""
     found = []
     for path in paths:
         try:
-            with Image.open(path, formats=FORMATS) as image:
-                if max(image.size) > HUGE:  # the mean of all its cells would take gigabytes
-                    image.thumbnail((HUGE, HUGE), Image.Resampling.NEAREST)
-                small = ImageOps.exif_transpose(image).convert("RGB")
-                small.thumbnail(LARGEST, Image.Resampling.BOX)
-                found.append((path, small.size, small.tobytes()))
-        except Exception:  # Pillow's decoders raise whatever a damaged file makes them trip over
+            found.append((path, *thumbnail_of(path, LARGEST)))
+        except FileError:
             found.append((path, None, None))
     return found
 

@@ -62,7 +62,7 @@ class Files:
             self._photo_import.show(what)
         else:
             scene, seed = what if isinstance(what, SeededScene) else (what, self._sessions.now.seed)
-            opened = f"Opened {name}. Ctrl+Z takes you back."
+            opened = scene.problem or f"Opened {name}. Ctrl+Z takes you back."
             waits = f"{name} was not opened: the sand is still being computed."
             self._notices.say(opened if self._sessions.open_scene(scene, seed) else waits)
 

@@ -1,12 +1,13 @@
 """Cells as an array of materials, read from characters or from a picture."""
 
-import warnings
+from functools import partial
 
 import numpy as np
 
-from game.world.files.checked_table import TableError, shown
+from game.world.files.checked_table import shown
 from game.world.sand import parameters
 from game.world.sand.sand_colours import AMBER, DYED
+from game.world.scenes import picture_pixels
 
 EMPTY, SAND, WALL = 0, 1, 2  # a material, as the uint8 in an array of cells; coloured sand has the numbers after them
 MATERIALS = {"empty": EMPTY, "sand": SAND, "wall": WALL}
@@ -18,9 +19,7 @@ COLOURS = (  # a material's colour in a picture; the nearest one counts
     *(rgb for name, rgb in DYED.items() if name != AMBER),
 )
 SANDS = (SAND, *range(WALL + 1, len(COLOURS)))  # the material that is sand of each colour
-FORMATS = ("PNG", "GIF", "BMP", "JPEG", "WEBP")
-MOST_PIXELS = 2**26  # of a picture: about half a gigabyte while it is read
-PICTURE_SIZE = f"{MOST_PIXELS} pixels and {parameters.SIDE.high} a side"
+MARGIN = 16  # of 255: a pixel further than this from all of these colours in any channel is guessed
 
 
 def written_cells(table):
@@ -47,29 +46,38 @@ def written_cells(table):
 
 
 def painted_cells(table, folder):
-    """Return the cells in the picture named at `picture`, a file in `folder`; see-through pixels are empty."""
+    """Return the cells in the picture named at `picture`, a file in `folder`, and how many were guessed.
+
+    See-through pixels are empty.
+    """
     name = table.line("picture", "")
     if name in ("", ".", "..") or any(sign in name for sign in "/\\:"):
         raise table.error("picture", shown(name), "the name of a file beside the scene")
     if not (folder / name).is_file():
         raise table.error("picture", f"no file {name!r}", f"a picture in {folder}")
-    from PIL import Image  # only scenes with a picture wait for Pillow
-
-    try:
-        with warnings.catch_warnings(action="ignore"), Image.open(folder / name, formats=FORMATS) as picture:
-            _check_size(table, *picture.size)  # before anything is decoded
-            pixels = np.asarray(picture.convert("RGBA"))
-    except TableError:
-        raise
-    except Exception as error:  # Pillow's decoders raise whatever a damaged file makes them trip over
-        found = "too many pixels" if isinstance(error, Image.DecompressionBombError) else f"an unreadable {name!r}"
-        raise table.error("picture", found, f"a {', '.join(FORMATS)} of at most {PICTURE_SIZE}") from None
-    return np.concatenate([nearest_materials(rows) for rows in np.array_split(pixels, len(pixels) // 64 + 1)])
+    with picture_pixels.opened(folder / name, partial(table.error, "picture")) as picture:
+        return cells_of(picture_pixels.rgba(picture))
 
 
-def _check_size(table, width, height):
-    if max(width, height) > parameters.SIDE.high or width * height > MOST_PIXELS:
-        raise table.error("picture", f"{width}×{height} pixels", f"at most {PICTURE_SIZE}")
+def cells_of(pixels):
+    """Return the (H, W) uint8 materials of RGBA pixels, and how many of them were guessed."""
+    bands = np.array_split(pixels, len(pixels) // 64 + 1)
+    guessed = sum(int(guesses(rows).sum()) for rows in bands)
+    return np.concatenate([nearest_materials(rows) for rows in bands]), guessed
+
+
+def guesses(pixels):
+    """Return which RGBA pixels are of no material's colour, so that the nearest one is a guess, (H, W) bool."""
+    colours = pixels[..., :3].astype(np.int16)
+    far = [(np.abs(colours - colour) > MARGIN).any(axis=-1) for colour in COLOURS]
+    return np.all(far, axis=0) & (pixels[..., 3] >= 128)
+
+
+def told_guesses(path, guessed, number):
+    """Return what to say of a picture of which so many of its cells were guessed, or None."""
+    if not guessed:
+        return None
+    return f"{path}: found {guessed:,} of {number:,} cells in no colour of sand, wall or air: the nearest was guessed"
 
 
 def nearest_materials(pixels):

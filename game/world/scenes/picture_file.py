@@ -1,8 +1,9 @@
 """Pictures as scenes: a PNG that holds a scene and all its settings, and any picture as sand and walls."""
 
+import hashlib
 import io
 import json
-import warnings
+from contextlib import contextmanager
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -10,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.world.files.atomic import FileError, load, save
+from game.world.files.atomic import FileError, save
 from game.world.files.checked_table import CheckedTable, TableError
 from game.world.looks.colour_space import oklab
 from game.world.looks.themes import WALL_LOOKS
@@ -21,24 +22,23 @@ from game.world.sand.sand_colours import DYED
 from game.world.scenes.cell_arrays import (
     COLOURS,
     EMPTY,
-    FORMATS,
-    MOST_PIXELS,
-    PICTURE_SIZE,
     SAND,
     SANDS,
     WALL,
+    cells_of,
+    guesses,
     joined,
     nearest_materials,
     parted,
     resampled,
+    told_guesses,
 )
 from game.world.scenes.fixture_tables import read_fixtures
+from game.world.scenes.picture_pixels import CHUNK, is_saved, opened, rgba, thumbnail, upright
 from game.world.scenes.scene import Scene
 from game.world.scenes.scene_json import decode_rule
 
 VERSION = 1
-CHUNK = "sandglass"  # the key of the text in the PNG
-LARGEST_FILE = 2**28  # bytes
 THRESHOLD = Knob("threshold", 0.5, 0.02, 1.0, "", "how bright a picture must be to become sand; half of it: walls")
 LUMA = np.array([0.299, 0.587, 0.114], np.float32)  # how bright red, green and blue look (ITU-R BT.601)
 PURE = 0.98  # part of the pixels that must be near the colours of cells for a picture to count as drawn cells
@@ -75,6 +75,7 @@ def save_picture(path, session):
         "seed": session.seed,
         "speed": session.clock.speed,
         "cell": scene.cell,
+        "cells": _checksum(materials),
     }
     if world.fixtures:
         settings["fixtures"] = [each.as_dict() for each in world.fixtures]
@@ -101,7 +102,7 @@ class Photo:
         materials = _by_rows(self.pixels, lambda rows: _by_brightness(rows, level))
         if in_colours:
             materials = np.where(materials == SAND, self._dyed, materials)
-        return _picture(self.path, materials, None)
+        return _scene(self.path, materials, 0, None)
 
     @cached_property
     def _dyed(self):
@@ -116,60 +117,65 @@ def open_picture(path):
     LARGEST_PHOTO.
     """
     path = Path(path)
-    pixels, text = _read(path)
-    if pixels.ndim == 2:
-        return _picture(path, pixels, text)
-    if text is not None or _is_drawn(pixels):
-        return _picture(path, _by_rows(pixels, nearest_materials), text)
-    return Photo(path, _fitted(pixels))
+    with _opened(path, saved_too=True) as picture:
+        text = picture.info.get(CHUNK)
+        saved = _by_palette(picture) if is_saved(picture) else None
+        pixels = None if saved else rgba(picture)
+    if saved is None and text is None and not _is_drawn(pixels):
+        return Photo(path, _fitted(pixels))
+    return _scene(path, *(saved or cells_of(pixels)), text)
 
 
-def _picture(path, materials, text):
-    sand, walls, colours = parted(materials)
+def thumbnail_of(path, largest):
+    """Return (size, RGB bytes) of the picture in a file, as small as `largest`; raise PictureError if it has none."""
+    with _opened(Path(path), saved_too=True) as picture:
+        return thumbnail(picture, largest)
+
+
+@contextmanager
+def _opened(path, saved_too=False):
+    """Yield the Pillow picture in a file; raise PictureError where there is none."""
+
+    def error(found, wanted):
+        return PictureError(f"{path}: found {found}, wanted {wanted}")
+
     try:
-        settings, seed = _settings(path, text)
-    except TableError as error:
-        raise PictureError(error) from None
-    return SeededScene(Scene(path.stem, sand=sand, walls=walls, colours=colours, **settings), seed)
-
-
-def _read(path):
-    """Return the (H, W, 4) uint8 pixels of a picture and its text of settings, or None.
-
-    Of one that a scene was saved as, return the (H, W) materials: it may be as large as a lattice.
-    """
-    from PIL import Image
-
-    Image.MAX_IMAGE_PIXELS = None  # what is too large is found out here, before its pixels are read
-    data = load(path, LARGEST_FILE, PictureError)
-    try:
-        with warnings.catch_warnings(action="ignore"), Image.open(io.BytesIO(data), formats=FORMATS) as picture:
-            (width, height), text = picture.size, picture.info.get(CHUNK)
-            saved = text is not None and picture.mode == "P" and "transparency" not in picture.info
-            if max(width, height) > parameters.SIDE.high or (width * height > MOST_PIXELS and not saved):
-                raise PictureError(f"{path}: found {width}×{height} pixels, wanted at most {PICTURE_SIZE}")
-            return (_by_palette if saved else _upright)(picture), text
+        with opened(path, error, saved_too) as picture:
+            yield picture
     except PictureError:
         raise
-    except Exception:  # Pillow's decoders raise whatever a damaged file makes them trip over
-        raise PictureError(f"{path}: found an unreadable file, wanted a {', '.join(FORMATS)}") from None
+    except FileError as error:
+        raise PictureError(error) from None
+
+
+def _scene(path, materials, guessed, text):
+    """Return the SeededScene of (H, W) materials, so many of them guessed, and the text of settings, or None."""
+    sand, walls, colours = parted(materials)
+    try:
+        checksum, settings, seed = _settings(path, text)
+    except TableError as error:
+        raise PictureError(error) from None
+    problem = told_guesses(path, guessed, materials.size)
+    if problem is None and checksum not in ("", _checksum(materials)):
+        problem = f"{path}: found other cells than were saved: it was edited or damaged"
+    scene = Scene(path.stem, sand=sand, walls=walls, colours=colours, problem=problem, **settings)
+    return SeededScene(scene, seed)
+
+
+def _checksum(materials):
+    """Return 16 hex digits that name (H, W) materials."""
+    digest = hashlib.blake2b(f"{materials.shape} ".encode(), digest_size=8)
+    digest.update(np.ascontiguousarray(materials))
+    return digest.hexdigest()
 
 
 def _by_palette(picture):
-    """Return the material of each pixel of a picture with a palette, by the colour that the palette gives it."""
+    """Return the material of each pixel of a picture with a palette, and how many of them were guessed."""
     palette = np.array(picture.getpalette("RGBA"), np.uint8).reshape(1, -1, 4)
-    materials = np.full(256, EMPTY, np.uint8)
-    materials[: palette.shape[1]] = nearest_materials(palette)[0]
-    return materials[np.asarray(picture)]
-
-
-def _upright(picture):
-    """Return the RGBA pixels of a picture, turned as the camera was held, each channel in eight bits."""
-    from PIL import Image, ImageOps
-
-    if picture.mode.startswith("I"):  # grey in 16 bits
-        picture = Image.fromarray((np.asarray(picture).clip(0, 2**16 - 1) >> 8).astype(np.uint8))
-    return np.asarray(ImageOps.exif_transpose(picture).convert("RGBA"))
+    materials, guessed = np.full(256, EMPTY, np.uint8), np.zeros(256, bool)
+    materials[: palette.shape[1]], guessed[: palette.shape[1]] = nearest_materials(palette)[0], guesses(palette)[0]
+    pixels = np.asarray(upright(picture))
+    return materials[pixels], int(np.bincount(pixels.ravel(), minlength=256)[guessed].sum())
 
 
 def _is_drawn(pixels):
@@ -206,10 +212,11 @@ def _fitted(pixels):
 
 
 def _settings(path, text):
-    """Return the fields of a Scene beside its cells, and the seed, from the text in its picture."""
+    """Return (the checksum of the cells, or "", the fields of a Scene beside them, the seed) from a picture's text."""
     if text is None:
         fields = {"title": path.stem, "notice": "", "rule": Rule.with_p(0.75, "balanced")}
-        return fields | {"speed": parameters.SPEED.default, "cell": parameters.CELL.default}, parameters.SEED.default
+        fields |= {"speed": parameters.SPEED.default, "cell": parameters.CELL.default}
+        return "", fields, parameters.SEED.default
     try:
         table = CheckedTable(path, json.loads(text), f"{CHUNK}: ")
     except (ValueError, TypeError, RecursionError):
@@ -217,9 +224,9 @@ def _settings(path, text):
     if not isinstance(table.values, dict):
         raise TableError(path, CHUNK, "no object", "the settings of a scene")
     table.number("sandglass", Knob("version", VERSION, 1, VERSION, "(a newer Sandglass wrote it)", "", whole=True))
-    table.allow(("sandglass", "title", "notice", "walls", "rule", "seed", "speed", "cell", "fixtures"))
+    table.allow(("sandglass", "title", "notice", "walls", "rule", "seed", "speed", "cell", "cells", "fixtures"))
     fields = {"title": table.line("title", path.stem), "notice": table.line("notice", "")}
     fields |= {"rule": decode_rule(table.table("rule")), "speed": table.number("speed", parameters.SPEED)}
     fields["made_of"] = table.choice("walls", WALL_LOOKS, WALL_LOOKS[0])
     fields |= {"cell": table.number("cell", parameters.CELL), "fixtures": read_fixtures(table)}
-    return fields, table.number("seed", parameters.SEED)
+    return table.line("cells", ""), fields, table.number("seed", parameters.SEED)

@@ -10,7 +10,7 @@ from zlib import crc32
 import numpy as np
 
 from game.world.files.atomic import FileError
-from game.world.files.checked_table import TableError, as_line, read_table
+from game.world.files.checked_table import as_line, read_table
 from game.world.files.paths import asset
 from game.world.looks.themes import WALL_LOOKS
 from game.world.sand import parameters
@@ -18,7 +18,7 @@ from game.world.sand.fixtures import DRAIN, TAP
 from game.world.sand.rule import FIELDS, SCHEDULES, Rule
 from game.world.sand.sand_colours import AMBER
 from game.world.sand.world import World
-from game.world.scenes.cell_arrays import EMPTY, painted_cells, parted, resampled, written_cells
+from game.world.scenes.cell_arrays import EMPTY, painted_cells, parted, resampled, told_guesses, written_cells
 from game.world.scenes.fixture_tables import KEYS as FIXTURE_KEYS
 from game.world.scenes.fixture_tables import checked_number, read_fixture
 from game.world.scenes.hourglass_spec import Glass
@@ -56,6 +56,7 @@ class Scene:
     fixtures: tuple = ()  # of Fixture: taps and drains
     colours: np.ndarray | None = None  # of the sand, (H, W) uint8, not writable; None where all of it is amber
     glass: Glass | None = None  # the one hourglass that it is made of, if it is
+    problem: str | None = None  # what is odd about the file that it was read from, in one line
     shipped: bool = False  # its file came with the toy, so that name and size are enough to make it again
 
     def __post_init__(self):
@@ -99,7 +100,7 @@ def load_scene(name_or_path, size=None):
     path = _path(name_or_path)
     try:
         return _scene(path, size)
-    except TableError as error:
+    except FileError as error:
         raise SceneError(error) from None
 
 
@@ -108,7 +109,7 @@ def _scene(path, size):
     table.allow(KEYS)
     rule = _rule(table.table("rule"))
     size = size and tuple(parameters.SIDE.check(side) for side in size)
-    drawn = _drawn(table, path.parent)
+    drawn, problem = _drawn(table, path.parent)
     own = tuple(table.number(each, parameters.SIDE) for each in SIDES) if drawn is None else drawn.shape[::-1]
     scale = Scale(*own, *(size or own))
     if drawn is None:
@@ -130,6 +131,7 @@ def _scene(path, size):
         glass=glass_of(shapes, scale),
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
         fixtures=_fixtures(table, scale),
+        problem=problem,
         shipped=path.parent == asset("scenes"),
     )
 
@@ -160,7 +162,10 @@ def _path(name_or_path):
 
 
 def _drawn(table, folder):
-    """Return the (H, W) uint8 materials that `table` spells cell by cell, in a text or a picture; None for neither."""
+    """Return the (H, W) uint8 materials that `table` spells cell by cell, in a text or a picture; None for neither.
+
+    With them return what is odd about the picture, in one line, or None.
+    """
     sources = [key for key in SOURCES if key in table]
     if len(sources) > 1:
         raise table.error(sources[1], f"it beside {sources[0]}", f"only one of {', '.join(SOURCES)}")
@@ -169,13 +174,14 @@ def _drawn(table, folder):
         for key, side in zip(SIDES, drawn.shape[::-1], strict=True):
             if table.number(key, parameters.SIDE, side) != side:
                 raise table.error(key, table.values[key], f"{side} as in cells, or to leave it out")
-        return drawn
+        return drawn, None
     if sources == ["picture"]:
-        drawn = painted_cells(table, folder)
+        drawn, guessed = painted_cells(table, folder)
+        problem = told_guesses(folder / table.values["picture"], guessed, drawn.size)
         height, width = drawn.shape
         width, height = table.number("width", parameters.SIDE, width), table.number("height", parameters.SIDE, height)
-        return resampled(drawn, height, width)
-    return None
+        return resampled(drawn, height, width), problem
+    return None, None
 
 
 def _painted(table, scale):

@@ -23,7 +23,7 @@ EMBEDDED = (
     *("name", "title", "notice", "size", "cells", "colours", "walls", "rule", "speed", "cell"),
     *("fixtures", "glass", "neck"),
 )
-BESIDE_CELLS = [each.name for each in fields(Scene) if each.name not in ("sand", "walls", "colours")]
+BESIDE_CELLS = [each.name for each in fields(Scene) if each.name not in ("sand", "walls", "colours", "problem")]
 NECK = parameters.Knob("neck", 0, 0, parameters.SIDE.high, "", "the row in the middle of a glass", whole=True)
 
 

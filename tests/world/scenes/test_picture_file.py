@@ -1,6 +1,8 @@
 """Laws of pictures: one saved is the scene, one edited too, and any other becomes walls and sand."""
 
 import json
+import struct
+import zlib
 from pathlib import Path
 
 import numpy as np
@@ -13,15 +15,25 @@ from game import Rule
 from game.world.files import atomic
 from game.world.sand.sand_colours import COLOURS as NAMES
 from game.world.sand.sand_colours import DYED
-from game.world.scenes import picture_file
+from game.world.scenes import picture_pixels
 from game.world.scenes.cell_arrays import COLOURS
-from game.world.scenes.picture_file import CHUNK, Photo, PictureError, nearest_dyes, open_picture, save_picture
+from game.world.scenes.picture_file import (
+    Photo,
+    PictureError,
+    nearest_dyes,
+    open_picture,
+    save_picture,
+    thumbnail_of,
+)
+from game.world.scenes.picture_pixels import CHUNK
+from game.world.scenes.scene import load_scene
 from game.world.sessions.action import Flip, Load
 from game.world.sessions.recording import load_replay
 from game.world.sessions.session import Session
 from tests.saved import load_picture, save_replay
 from tests.world.random_sessions import SCENES, played, plays
 
+DATA = Path(__file__).parents[2] / "data"
 steady = settings(
     derandomize=True, deadline=None, max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture]
 )
@@ -164,7 +176,7 @@ def test_a_dye_is_found_by_its_look(colour, dye):
 
 
 def test_a_scene_as_large_as_a_lattice_may_be_is_opened_again(tmp_path, monkeypatch):
-    monkeypatch.setattr(picture_file, "MOST_PIXELS", 100)
+    monkeypatch.setattr(picture_pixels, "MOST_PIXELS", 100)
     scene, _ = load_picture(saved(tmp_path))
     assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
     Image.open(tmp_path / "some.png").convert("RGB").save(tmp_path / "photo.png")
@@ -229,3 +241,100 @@ def test_a_scene_that_was_saved_as_a_jpeg_is_still_walls_and_sand(tmp_path):
     scene, _ = load_picture(tmp_path / "sent.jpg")
     assert scene.shape == cells.shape[:2]
     assert (scene.sand[2::4, 2::4] == world.sand).all() and (scene.walls[2::4, 2::4] == world.walls).all()
+
+
+def test_a_saved_scene_with_one_bit_flipped_is_the_same_or_is_said_to_be_damaged(tmp_path):
+    path, other = saved(tmp_path), tmp_path / "other.png"
+    good, whole = path.read_bytes(), load_picture(path).scene
+    for bit in range(0, 8 * len(good), 5):
+        flipped = bytearray(good)
+        flipped[bit // 8] ^= 1 << bit % 8
+        other.write_bytes(flipped)
+        try:
+            scene = load_picture(other).scene
+        except PictureError:
+            continue
+        same = (scene.sand == whole.sand).all() and (scene.walls == whole.walls).all()
+        assert scene.problem or (same and scene.rule == whole.rule)
+
+
+def test_cells_that_are_not_those_that_were_saved_are_told(tmp_path):
+    path = saved(tmp_path)
+    assert load_picture(path).scene.problem is None
+    with Image.open(path) as picture:
+        text, pixels = picture.info[CHUNK], np.asarray(picture).copy()
+        palette = picture.getpalette()
+    pixels[0, 0] = (pixels[0, 0] + 1) % 3
+    save_with(path, pixels, palette, text)
+    assert "found other cells than were saved" in load_picture(path).scene.problem
+
+
+def test_a_scene_saved_without_a_checksum_is_opened(tmp_path):
+    path = saved(tmp_path)
+    with Image.open(path) as picture:
+        values, pixels, palette = json.loads(picture.info[CHUNK]), np.asarray(picture), picture.getpalette()
+    del values["cells"]
+    save_with(path, pixels, palette, json.dumps(values))
+    scene, seed = load_picture(path)
+    assert (scene.sand == SCENES[1].sand).all() and seed == 9 and scene.problem is None
+
+
+def save_with(path, pixels, palette, text):
+    """Save materials with a palette and a text of settings."""
+    picture, chunk = Image.fromarray(pixels, "P"), PngInfo()
+    picture.putpalette(palette)
+    chunk.add_text(CHUNK, text)
+    picture.save(path, pnginfo=chunk)
+
+
+def test_cells_that_a_lossy_copy_leaves_in_doubt_are_counted_and_told():
+    whole, copy = (open_picture(DATA / f"saved-rainbow{end}").scene for end in (".png", "-95.jpg"))
+    wrong = (whole.sand != copy.sand) | (whole.walls != copy.walls)
+    assert wrong.any() and whole.problem is None
+    assert "found 936 of 43,200 cells in no colour of sand, wall or air: the nearest was guessed" in copy.problem
+
+
+def deep_png(path, levels, kind, clear=None, orientation=1):
+    """Write (H, W, channels) numbers of sixteen bits as a PNG; kind: 0 grey, 2 colours, 4 grey and alpha."""
+    held = Image.Exif()
+    held[0x0112] = orientation
+    head = struct.pack(">IIBBBBB", levels.shape[1], levels.shape[0], 16, kind, 0, 0, 0)
+    rows = b"".join(b"\0" + row.astype(">u2").tobytes() for row in levels)
+    clear = [(b"tRNS", struct.pack(f">{len(clear)}H", *clear))] if clear else []
+    chunks = [(b"IHDR", head), *clear, (b"eXIf", held.tobytes()[6:]), (b"IDAT", zlib.compress(rows)), (b"IEND", b"")]
+    sealed = [(len(data), name + data, zlib.crc32(name + data)) for name, data in chunks]
+    parts = [struct.pack(">I", size) + body + struct.pack(">I", checksum) for size, body, checksum in sealed]
+    path.write_bytes(b"\x89PNG\r\n\x1a\n" + b"".join(parts))
+    return path
+
+
+@pytest.mark.parametrize(("kind", "channels"), [(0, 1), (2, 3)])
+def test_a_picture_in_sixteen_bits_keeps_what_is_see_through_and_how_it_was_held(tmp_path, kind, channels):
+    levels = np.zeros((20, 40, channels), np.uint16)
+    levels[:, :10] = 60000  # the left quarter is bright, which orientation 6 turns to the top
+    levels[:5] = 50000  # and the upper quarter, which it turns to the right, is clear
+    path = deep_png(tmp_path / "deep.png", levels, kind, (50000,) * channels, 6)
+    scene = load_picture(path, threshold=0.5).scene
+    assert scene.shape == (40, 20)
+    assert scene.sand[:10, :15].all() and not scene.sand[10:].any() and not scene.sand[:, 15:].any()
+
+
+@pytest.mark.parametrize("name", ["grey16.png", "exif6.jpg"])
+def test_a_scene_reads_its_picture_as_a_dropped_one_is_read(tmp_path, name):
+    (tmp_path / name).write_bytes((DATA / name).read_bytes())
+    (tmp_path / "some.toml").write_text(f'picture = "{name}"')
+    pixels = np.asarray(Image.open(DATA / name))
+    eight = np.rot90(pixels, -1) if pixels.ndim == 3 else np.dstack([(pixels >> 8).astype(np.uint8)] * 3)
+    Image.fromarray(np.ascontiguousarray(eight)).save(tmp_path / "plain.png")
+    (tmp_path / "plain.toml").write_text('picture = "plain.png"')
+    scene, plain = load_scene(tmp_path / "some.toml"), load_scene(tmp_path / "plain.toml")
+    assert scene.shape == plain.shape and (scene.walls == plain.walls).all() and (scene.sand == plain.sand).all()
+    assert scene.walls.any() and "the nearest was guessed" in scene.problem
+
+
+def test_a_picture_that_is_not_opened_is_not_listed_either(tmp_path):
+    Image.new("1", (9000, 9000)).save(tmp_path / "large.png")
+    for read in (open_picture, lambda path: thumbnail_of(path, (64, 64))):
+        with pytest.raises(PictureError, match="9000×9000 pixels, wanted at most"):
+            read(tmp_path / "large.png")
+    assert thumbnail_of(saved(tmp_path), (640, 480))[0] == SCENES[1].shape[::-1]

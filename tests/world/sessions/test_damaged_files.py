@@ -8,7 +8,8 @@ import pytest
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from game.world.scenes.picture_file import CHUNK, PictureError, save_picture
+from game.world.scenes.picture_file import PictureError, save_picture
+from game.world.scenes.picture_pixels import CHUNK
 from game.world.sessions.journal import Journal, JournalError
 from game.world.sessions.recording import ReplayError, load_replay, parse, recording_of, to_bytes
 from game.world.sessions.session import Session
