@@ -23,10 +23,23 @@ Scene      a world, rule and pace read from a file by `load_scene`, by the name 
 The model is that of Devlin & Schuster, "Probabilistic Cellular Automata for Granular Media in Video Games" (2020).
 """
 
-from game.world.sand.advance import advance
-from game.world.sand.ensemble import density
-from game.world.sand.rule import Rule
-from game.world.sand.world import World
-from game.world.scenes.scene import Scene, SceneError, load_scene, scene_names
+from importlib import import_module
 
-__all__ = ["Rule", "Scene", "SceneError", "World", "advance", "density", "load_scene", "scene_names"]
+_MODULES = {
+    "Rule": "game.world.sand.rule",
+    "Scene": "game.world.scenes.scene",
+    "SceneError": "game.world.scenes.scene",
+    "World": "game.world.sand.world",
+    "advance": "game.world.sand.advance",
+    "density": "game.world.sand.ensemble",
+    "load_scene": "game.world.scenes.scene",
+    "scene_names": "game.world.scenes.scene",
+}
+__all__ = list(_MODULES)
+
+
+def __getattr__(name):
+    """Import a name when it is asked for first: the command line answers before the compiler is loaded."""
+    if name not in _MODULES:
+        raise AttributeError(f"module 'game' has no attribute {name!r}")
+    return getattr(import_module(_MODULES[name]), name)

@@ -1,11 +1,13 @@
 """Compiles kernels and keeps them between runs: the only importer of numba.
 
 Numba's own cache does not notice a change in another file, so the cache lies in a folder named by a digest of all that
-decides the machine code: every kernel source and the versions beneath them.
+decides the machine code: every kernel source and the versions beneath them. Nor does it survive a damaged file or a
+full disk; here what cannot be read or written costs the time to compile, and nothing else.
 """
 
 import hashlib
 import os
+import pickle
 import platform
 import shutil
 import tempfile
@@ -16,10 +18,14 @@ import numba
 import numpy as np
 from llvmlite import ir
 from numba.core import cgutils
+from numba.core.caching import FunctionCache
+from numba.core.compiler import CompileResult
+from numba.core.serialize import dumps
 from numba.extending import intrinsic
 from platformdirs import user_cache_dir
 
 FOLDERS_KEPT = 3  # caches of older sources and versions beside the current one; fewer means compiling after a switch
+SEAL = 32  # bytes of the checksum before a kernel's machine code
 STREAMS = 20  # places in an array that a loop with `apart` can go along from
 
 
@@ -43,9 +49,17 @@ def _writable(folder):
     return True
 
 
+def _age(folder):
+    """Return when a folder was changed last, and for one that another process removes just now that it is old."""
+    try:
+        return folder.stat().st_mtime
+    except OSError:
+        return 0.0
+
+
 def _prune(home, current):
     """Remove all but the newest caches beside the current one."""
-    older = sorted(home.glob("kernels-*"), key=lambda folder: folder.stat().st_mtime, reverse=True)
+    older = sorted(home.glob("kernels-*"), key=_age, reverse=True)
     for folder in [each for each in older if each != current][FOLDERS_KEPT:]:
         shutil.rmtree(folder, ignore_errors=True)
 
@@ -57,7 +71,7 @@ def cache_folder():
     """
     home = Path(os.environ.get("SANDGLASS_CACHE_DIR") or user_cache_dir("sandglass", appauthor=False))
     folder = home / f"kernels-{_digest()}"
-    is_new = not folder.exists()
+    is_new = not os.path.exists(folder)
     if not _writable(folder):
         return None, False
     if is_new:
@@ -67,17 +81,76 @@ def cache_folder():
 
 _FOLDER, NEW = cache_folder()
 _kernels = []
+_troubles = []  # what was wrong with the cache in this run, in words
+
+
+class _KernelCache(FunctionCache):
+    """Keeps a kernel's machine code, a file for each signature, behind a checksum: code with a wrong byte crashes."""
+
+    cache_path = str(_FOLDER)
+
+    def __init__(self, function):
+        self._py_func = function
+
+    def load_overload(self, sig, target_context):
+        """Return the CompileResult that is kept for a signature, or None where there is none that can be used."""
+        target_context.refresh()
+        path = self._path(sig, target_context.codegen())
+        try:
+            sealed = path.read_bytes()
+            if hashlib.sha256(sealed[SEAL:]).digest() != sealed[:SEAL]:
+                raise ValueError("found other bytes than were written")
+            return CompileResult._rebuild(target_context, *pickle.loads(sealed[SEAL:]))
+        except FileNotFoundError:
+            return None
+        except Exception as error:  # whatever pickle and LLVM trip over
+            _note(path, "cannot read a compiled kernel", error)
+            return None
+
+    def save_overload(self, sig, data):
+        """Keep the CompileResult for a signature, if that is possible."""
+        path = self._path(sig, data.codegen)
+        try:
+            code = dumps(data._reduce())
+            path.parent.mkdir(parents=True, exist_ok=True)
+            _write(path, hashlib.sha256(code).digest() + code)
+        except Exception as error:
+            _note(path, "cannot keep a compiled kernel", error)
+
+    def _path(self, sig, codegen):
+        function = self._py_func
+        key = repr((function.__module__, self._index_key(sig, codegen))).encode()
+        return Path(self.cache_path, f"{function.__qualname__}-{hashlib.sha256(key).hexdigest()[:20]}.kernel")
+
+
+def _write(path, data):
+    """Write a file in one step."""
+    part = path.with_suffix(f".{os.getpid()}.part")
+    try:
+        part.write_bytes(data)
+        os.replace(part, path)
+    except OSError:
+        part.unlink(missing_ok=True)
+        raise
+
+
+def _note(path, doing, error):
+    reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
+    _troubles.append(f"{path}: {doing}: {reason.lower()}; compiling costs time, nothing else".replace("\n", " "))
+
+
+def trouble():
+    """Return in one line what was wrong with the cache so far in this run, or None."""
+    return _troubles[0] if _troubles else None
 
 
 def kernel(function):
     """Compile `function` when first called, without the interpreter lock, and keep the machine code between runs."""
-    before = numba.config.CACHE_DIR
-    numba.config.CACHE_DIR = str(_FOLDER or "")
-    try:
-        _kernels.append(numba.njit(function, cache=_FOLDER is not None, nogil=True, no_cfunc_wrapper=True))
-    finally:
-        numba.config.CACHE_DIR = before
-    return _kernels[-1]
+    made = numba.njit(function, nogil=True, no_cfunc_wrapper=True)
+    if _FOLDER is not None:
+        made._cache = _KernelCache(function)
+    _kernels.append(made)
+    return made
 
 
 def ready():

@@ -5,7 +5,7 @@ from functools import partial
 import pygame
 
 from game.play.ui.input import key_name
-from game.world.files.atomic import FileError, trouble
+from game.world.files.atomic import FileError, moved, trouble
 from game.world.files.paths import folder_of
 from game.world.scenes.open_scene import PICTURES
 from game.world.scenes.picture_file import thumbnail_of
@@ -25,7 +25,7 @@ def saved_scenes():
         except OSError:
             return 0
 
-    pictures = [path for path in folder_of("scenes").glob("*") if path.suffix.lower() in PICTURES]
+    pictures = [path for path in folder_of("scenes").glob("*") if path.suffix.lower() in PICTURES and path.is_file()]
     return sorted(pictures, key=age, reverse=True)
 
 
@@ -75,9 +75,8 @@ class SavedScenes:
         target = path.parent / AWAY / path.name
         try:
             target.parent.mkdir(exist_ok=True)
-            while target.exists():
+            while not moved(path, target):
                 target = target.with_stem(f"{target.stem} again")
-            path.rename(target)
         except OSError as error:
             self._toy.notices.say(trouble(path, "cannot be put away", error), trouble=True)
             return

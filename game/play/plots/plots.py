@@ -10,8 +10,8 @@ from game.play.plots import charts
 from game.play.plots.audit_card import card, heights, widths
 from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.world.files.atomic import save
-from game.world.files.paths import new_file
+from game.world.files.atomic import save_as_new
+from game.world.files.paths import numbered, save_new
 from game.world.sessions.measurements import COLUMNS, PROFILE_COLUMNS, Measurements, csv
 from game.world.sessions.session import BUDGET_NS
 
@@ -111,10 +111,8 @@ class Plots:
         profile = list(enumerate(self._watch.heights.tolist()))
 
         def work():
-            path = new_file("measures", name, ".csv")
-            save(path, csv(COLUMNS, rows))
-            beside = path.with_name(f"{path.stem} profile.csv")
-            save(beside, csv(PROFILE_COLUMNS, profile))
+            path = save_new("measures", name, ".csv", csv(COLUMNS, rows))
+            save_as_new(numbered(path.with_name(f"{path.stem} profile.csv")), csv(PROFILE_COLUMNS, profile))
             return path
 
         self._toy.background.do(work, lambda path: self._toy.notices.say(f"Saved as {path}, the profile beside it"))

@@ -5,8 +5,8 @@ from pathlib import Path
 from types import SimpleNamespace
 
 from game.world.files.checked_table import as_line
-from game.world.files.paths import asset, new_file
-from game.world.scenes.picture_file import Photo, SeededScene, open_picture, save_picture
+from game.world.files.paths import asset, save_new
+from game.world.scenes.picture_file import Photo, SeededScene, open_picture, picture_bytes
 from game.world.scenes.scene import Scene, load_scene
 from game.world.sessions import recording as replay
 from game.world.sessions.recording import Recording
@@ -33,9 +33,7 @@ class Files:
         )
 
         def work():
-            path = new_file("scenes", still.scene.name, ".png")
-            save_picture(path, still)
-            return path
+            return save_new("scenes", still.scene.name, ".png", picture_bytes(still))
 
         self._background.do(work, lambda path: self._notices.say(f"Saved as {path}"))
 

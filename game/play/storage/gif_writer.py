@@ -1,12 +1,10 @@
 """The GIF writer: writes a GIF frame by frame, of each only what changed since the one before."""
 
-import os
-import tempfile
-from pathlib import Path
+from contextlib import contextmanager
 
 import numpy as np
 
-from game.world.files.atomic import trouble
+from game.world.files.atomic import Part, trouble
 
 FOR_EVER = b"\x21\xff\x0bNETSCAPE2.0\x03\x01\x00\x00\x00"  # repeat for ever
 TRAILER = b";"
@@ -16,17 +14,15 @@ UNIT_MS = 10  # in which a GIF counts time
 class GifWriter:
     """Writes a temporary file, and moves it into place in one step when it is complete. Raises FileError."""
 
-    def __init__(self, path, colours):
-        """`colours`: the RGB bytes of the palette."""
-        self.path = Path(path)
+    def __init__(self, name_of, colours):
+        """`name_of`: gives the paths it may have, as those of `new_name`. `colours`: the RGB bytes of the palette."""
+        self._name_of = name_of
         self._colours = colours
         self._shown = self._next = None  # the last frame written, the one to write: (h, w) uint8
         self._next_ms = 0.0
-        try:
-            handle, self._part = tempfile.mkstemp(prefix=".recording-", suffix=".part", dir=self.path.parent)
-            self._file = open(handle, "wb")  # noqa: SIM115 - it stays open until close()
-        except OSError as error:
-            raise trouble(self.path, "cannot write", error) from None
+        self._part = None
+        with self._named():
+            self._part = Part(name_of(1).parent, "recording")
 
     def add(self, pixels, ms):
         """Show a frame, (h, w) uint8 indices into the palette, for `ms` milliseconds."""
@@ -37,22 +33,26 @@ class GifWriter:
         self._next_ms += ms
 
     def close(self):
-        """Write the end and put the file in its place."""
-        try:
-            if self._next is not None:
-                self._write_next()
-            self._file.write(TRAILER)
-            self._file.close()
-            os.chmod(self._part, 0o644)
-            os.replace(self._part, self.path)
-        except OSError as error:
-            self.drop()
-            raise trouble(self.path, "cannot write", error) from None
+        """Write the end, put the file in its place and return that."""
+        if self._next is not None:
+            self._write_next()
+        with self._named():
+            self._part.file.write(TRAILER)
+            return self._part.put_as_new(self._name_of)
 
     def drop(self):
         """Remove the temporary file."""
-        self._file.close()
-        Path(self._part).unlink(missing_ok=True)
+        self._part.drop()
+
+    @contextmanager
+    def _named(self):
+        """Say of an OSError which file it is about, and remove the temporary file."""
+        try:
+            yield
+        except OSError as error:
+            if self._part:
+                self._part.drop()
+            raise trouble(self._name_of(1), "cannot write the recording", error) from None
 
     def _write_next(self):
         from PIL import GifImagePlugin
@@ -62,13 +62,10 @@ class GifWriter:
         image = self._image(part)
         how = {"duration": max(whole, UNIT_MS), "disposal": 1, "include_color_table": False}
         blocks = GifImagePlugin.getdata(image, (left, top), **how)
-        try:
+        with self._named():
             if self._shown is None:
-                self._file.write(b"".join(GifImagePlugin.getheader(image)[0]) + FOR_EVER)
-            self._file.writelines(blocks)
-        except OSError as error:
-            self.drop()
-            raise trouble(self.path, "cannot write", error) from None
+                self._part.file.write(b"".join(GifImagePlugin.getheader(image)[0]) + FOR_EVER)
+            self._part.file.writelines(blocks)
         self._shown, self._next, self._next_ms = self._next, None, self._next_ms - whole
 
     def _image(self, pixels):

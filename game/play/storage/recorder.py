@@ -1,5 +1,6 @@
 """The recorder: takes pictures of the window and the sand, and GIFs of what follows or of the last seconds."""
 
+import io
 import itertools
 import queue
 from functools import partial
@@ -8,7 +9,7 @@ import numpy as np
 import pygame
 
 from game.play.storage.gif_writer import GifWriter
-from game.world.files.paths import new_file
+from game.world.files.paths import new_name, save_new
 from game.world.looks import painter as picture
 from game.world.looks.themes import NIGHT, dyed_palette
 from game.world.looks.view import View
@@ -63,14 +64,9 @@ class Recorder:
         name = self._sessions.now.scene.name
 
         def work():
-            image = draw()
-            path = new_file("pictures", name, ".png")
-            try:
-                image.save(path)
-            except OSError as error:
-                path.unlink(missing_ok=True)
-                raise error
-            return path
+            file = io.BytesIO()
+            draw().save(file, "PNG")
+            return save_new("pictures", name, ".png", file.getvalue())
 
         self._background.do(work, lambda path: self._notices.say(f"Picture saved as {path}"))
 
@@ -188,15 +184,14 @@ def image_of_sand(world, scale, colours, walls):
 def _write(name, film, frames, at_the_end=None):
     """Write frames (pixels, milliseconds) of a film to a new GIF and return its path."""
     try:
-        gif = GifWriter(new_file("pictures", name, ".gif"), film.colours)
+        gif = GifWriter(new_name("pictures", name, ".gif"), film.colours)
         try:
             for pixels, ms in frames:
                 gif.add(pixels, ms)
         except Exception:
             gif.drop()
             raise
-        gif.close()
-        return gif.path
+        return gif.close()
     finally:
         if at_the_end:
             at_the_end()

@@ -1,24 +1,28 @@
 """Writing: a report as pages of Markdown with their pictures, and as JSON."""
 
+import io
 import json
 from math import isfinite
 
 from game.study.report.report import Picture, Row, blocks
 from game.study.report.table import Table
+from game.world.files.atomic import save
 
 DOTS_PER_INCH = 120
 
 
 def write(report, pages, folder):
-    """Write the pages ({file name: items}), the pictures on them and the report as JSON into a folder."""
+    """Write the pages ({file name: items}), their pictures and the report as JSON into a folder; raise FileError."""
     pictures = {}
     for name, items in pages.items():
-        (folder / name).write_text(page(report, items), encoding="utf-8")
+        save(folder / name, page(report, items).encode())
         pictures |= {item.name: item.figure for item in items if isinstance(item, Picture)}
     for name, figure in pictures.items():
-        figure.savefig(folder / f"{name}.png", dpi=DOTS_PER_INCH)
+        file = io.BytesIO()
+        figure.savefig(file, dpi=DOTS_PER_INCH)
+        save(folder / f"{name}.png", file.getvalue())
     text = json.dumps(as_dict(report), indent=1)
-    (folder / f"{report.name}.json").write_text(f"{text}\n", encoding="utf-8")
+    save(folder / f"{report.name}.json", f"{text}\n".encode())
 
 
 def page(report, items):

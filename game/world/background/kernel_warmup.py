@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from game.core import planes
+from game.core import jit, planes
 from game.core.draw.cells import draw_turned
 from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
 from game.world.background.forecast_thread import ForecastRequest, forecast_of
@@ -26,6 +26,11 @@ KINDS = {  # a rule for each kind of kernel
     "sand that topples by chance": Rule.with_p(0.5),
     "sand with seven probabilities": Rule(*[0.5] * 7),
 }
+
+
+def cache_trouble():
+    """Return in one line what was wrong with the kept kernels so far, or None: it costs time, and nothing else."""
+    return jit.trouble()
 
 
 def steps(rule, walls, cell=1, coloured=False, fixtures=()):

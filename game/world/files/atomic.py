@@ -1,6 +1,7 @@
 """Files written in one step, read with a bound, and locked: a file is the old one or the new one, never half of it."""
 
 import contextlib
+import itertools
 import os
 import tempfile
 from pathlib import Path
@@ -37,26 +38,123 @@ def trouble(path, doing, error):
     return FileError(f"{path}: {doing}: {(error.strerror or str(error)).lower()}")
 
 
+_parts = set()  # the paths of the files that this process is writing
+
+
+class Part:
+    """A file being written beside its place under another name; raises OSError. Nobody else sees it half written.
+
+    It is locked until it is complete: one that is not was left by a process that was killed.
+    """
+
+    def __init__(self, folder, name):
+        self.path, handle = _locked_part(Path(folder), name)
+        self.file = open(handle, "wb")  # noqa: SIM115 - it stays open until it is put in its place or dropped
+        _parts.add(self.path)
+
+    def put(self, path):
+        """Put the file at `path`, in the place of what is there."""
+        self._complete()
+        os.replace(self.path, path)
+        self._forget(path)
+
+    def put_as_new(self, name_of):
+        """Put the file at the first free of the paths name_of(1), name_of(2) …; return which that is."""
+        self._complete()
+        path = next(path for path in map(name_of, itertools.count(1)) if moved(self.path, path))
+        self._forget(path)
+        return path
+
+    def drop(self):
+        """Leave nothing behind."""
+        with contextlib.suppress(OSError):  # what is still to be written may find no room
+            self.file.close()
+        with contextlib.suppress(OSError):
+            os.unlink(self.path)
+        _parts.discard(self.path)
+
+    def _complete(self):
+        """Put all of it on the disk: a power cut cannot take it back."""
+        self.file.flush()
+        os.fsync(self.file.fileno())
+        self.file.close()
+        os.chmod(self.path, 0o666 & ~UMASK)
+
+    def _forget(self, path):
+        _parts.discard(self.path)
+        sync_folder(Path(path).parent)
+
+
+def _locked_part(folder, name):
+    """Return (path, handle) of a new file that is locked: another start may have cleared one before it was."""
+    while True:
+        handle, path = tempfile.mkstemp(prefix=f".{name[:40]}-", suffix=".part", dir=folder)
+        lock(handle)
+        if os.name == "nt" or os.fstat(handle).st_nlink:
+            return path, handle
+        os.close(handle)
+
+
+def moved(file, path):
+    """Move a file to a path; return False where something is there already. Raises OSError."""
+    try:
+        os.link(file, path)
+    except FileExistsError:
+        return False
+    except OSError:  # a file system without hard links: an empty file holds the place
+        try:
+            os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY))
+        except FileExistsError:
+            return False
+        os.replace(file, path)
+        return True
+    os.unlink(file)
+    return True
+
+
+def clear_parts(folder):
+    """Remove from a folder the files that a process was writing when it was killed."""
+    for path in Path(folder).glob(".*.part"):
+        with contextlib.suppress(OSError):
+            handle = os.open(path, os.O_RDWR)
+            try:
+                left = lock(handle)
+            finally:
+                os.close(handle)
+            if left:
+                path.unlink()
+
+
+def drop_parts():
+    """Remove the files that this process is writing: it ends before they are complete."""
+    for path in list(_parts):
+        with contextlib.suppress(OSError):
+            os.unlink(path)
+
+
 def save(path, data):
     """Write bytes to the file at `path`, replacing it in one step; raise FileError, the old file as it was, if not.
 
     What the function returns after is on the disk: a power cut cannot take it back.
     """
     path = Path(path)
-    temporary = None
+    _write(path, data, lambda part: part.put(path))
+
+
+def save_as_new(name_of, data):
+    """Write bytes to a new file at the first free of the paths name_of(1), name_of(2) …; return it; raise FileError."""
+    return _write(name_of(1), data, lambda part: part.put_as_new(name_of))
+
+
+def _write(path, data, put):
+    part = None
     try:
-        handle, temporary = tempfile.mkstemp(prefix=f".{path.name[:40]}-", suffix=".part", dir=path.parent)
-        with open(handle, "wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        os.chmod(temporary, 0o666 & ~UMASK)
-        os.replace(temporary, path)
-        sync_folder(path.parent)
+        part = Part(path.parent, path.name)
+        part.file.write(data)
+        return put(part)
     except (OSError, ValueError) as error:
-        if temporary:
-            with contextlib.suppress(OSError):
-                os.unlink(temporary)
+        if part:
+            part.drop()
         raise trouble(path, "cannot save", error if isinstance(error, OSError) else OSError(str(error))) from None
 
 

@@ -2,18 +2,16 @@
 
 import os
 import re
-import threading
 from datetime import datetime
 from pathlib import Path
 
 from platformdirs import user_config_dir, user_data_dir
 
-from game.world.files.atomic import trouble
+from game.world.files.atomic import clear_parts, save_as_new, trouble
 
 PACKAGE = Path(__file__).resolve().parents[2]
 LONGEST_NAME = 40  # characters of a file's name, without time and suffix
-
-_given, _giving = set(), threading.Lock()  # the paths that were returned for new files, one thread at a time
+KINDS = ("scenes", "pictures", "measures")  # of files that the user makes, each in a folder of its own
 
 
 def asset(*parts):
@@ -35,10 +33,10 @@ def config_file():
     return Path(home) / "settings.toml"
 
 
-def new_file(kind, name, suffix):
-    """Return a path for a new file, made of a name and the time; its folder is made. Raises FileError.
+def new_name(kind, name, suffix):
+    """Return a function of 1, 2 … that gives the paths a new file may have, by a name and the time; make its folder.
 
-    No path is returned twice, even before its file is written.
+    Raises FileError.
     """
     folder = folder_of(kind)
     try:
@@ -47,13 +45,23 @@ def new_file(kind, name, suffix):
         raise trouble(folder, "cannot make the folder", error) from None
     plain = re.sub(r"[^\w-]+", "-", _without_time(name)).strip("-")[:LONGEST_NAME] or "sand"
     stem = f"{plain} {datetime.now():%Y-%m-%d %H.%M.%S}"
-    with _giving:
-        path, number = folder / f"{stem}{suffix}", 1
-        while path in _given or path.exists():
-            number += 1
-            path = folder / f"{stem} {number}{suffix}"
-        _given.add(path)
-    return path
+    return numbered(folder / f"{stem}{suffix}")
+
+
+def numbered(path):
+    """Return a function of 1, 2 … that gives a path, and after it the same with a number in its name."""
+    return lambda number: path if number == 1 else path.with_name(f"{path.stem} {number}{path.suffix}")
+
+
+def save_new(kind, name, suffix, data):
+    """Write bytes to a new file among the user's of a kind and return its path; raise FileError."""
+    return save_as_new(new_name(kind, name, suffix), data)
+
+
+def clear_user_parts():
+    """Remove what processes that were killed have left of the user's files."""
+    for folder in (*map(folder_of, KINDS), config_file().parent):
+        clear_parts(folder)
 
 
 def _without_time(name):

@@ -58,7 +58,12 @@ class SeededScene(NamedTuple):
 
 
 def save_picture(path, session):
-    """Write the session's cells, rule, seed and settings to a PNG, in one step; raise FileError where that fails."""
+    """Write the PNG of a session to a file, in one step; raise FileError where that fails."""
+    save(path, picture_bytes(session))
+
+
+def picture_bytes(session):
+    """Return a PNG with the session's cells, rule, seed and settings."""
     from PIL import Image
     from PIL.PngImagePlugin import PngInfo
 
@@ -83,7 +88,7 @@ def save_picture(path, session):
     text.add_text(CHUNK, json.dumps(settings))
     file = io.BytesIO()
     picture.save(file, "PNG", pnginfo=text, optimize=True)
-    save(path, file.getvalue())
+    return file.getvalue()
 
 
 @dataclass(frozen=True)

@@ -15,7 +15,7 @@ from game.play.storage import recorder
 from game.play.storage.files import demos
 from game.play.storage.gif_writer import GifWriter
 from game.play.storage.open_sessions import MOST_WAITING
-from game.world.files.paths import asset, folder_of
+from game.world.files.paths import asset, folder_of, numbered
 from game.world.looks.painter import Painter
 from game.world.looks.themes import NIGHT
 from game.world.looks.view import View
@@ -591,11 +591,10 @@ def test_a_recording_ends_by_itself(glass, monkeypatch):
 
 
 def test_a_film_lasts_as_long_as_its_frames_however_short_they_are(tmp_path):
-    film = GifWriter(tmp_path / "film.gif", bytes(768))
+    film = GifWriter(numbered(tmp_path / "film.gif"), bytes(768))
     for number in range(60):
         film.add(np.full((4, 4), number, np.uint8), 1000 / 60)
-    film.close()
-    with Image.open(film.path) as image:
+    with Image.open(film.close()) as image:
         frames = [image.seek(number) or image.info["duration"] for number in range(image.n_frames)]
     assert len(frames) == 60 and sum(frames) == pytest.approx(1000, abs=10)
 

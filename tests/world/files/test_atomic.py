@@ -2,13 +2,18 @@
 
 import errno
 import os
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
+import numpy as np
 import pytest
 
+from game.play.storage.gif_writer import GifWriter
 from game.world.files import atomic
-from game.world.files.atomic import FileError, save
-from game.world.files.paths import new_file
+from game.world.files.atomic import FileError, clear_parts, save
+from game.world.files.paths import numbered, save_new
 from game.world.sessions.session import Session
 from tests.saved import save_replay
 from tests.world.random_sessions import SCENES
@@ -55,7 +60,63 @@ def test_no_save_sets_the_umask_under_other_threads(tmp_path, monkeypatch):
     assert (tmp_path / "x").exists()
 
 
-def test_no_two_new_files_are_given_one_path():
+def test_windows_that_save_in_one_second_have_a_file_each(tmp_path):
+    script = (
+        "import sys; from game.world.files.paths import save_new\n"
+        "print(save_new('scenes', 'x', '.png', sys.argv[1].encode()))"
+    )
+    for number in range(2):  # in one second of the clock, unless it turns just now
+        windows = [
+            subprocess.Popen([sys.executable, "-c", script, f"{number}{letter}"], stdout=subprocess.PIPE, text=True)
+            for letter in "abcd"
+        ]
+        paths = [window.communicate(timeout=100)[0].strip() for window in windows]
+        assert len(set(paths)) == 4
+        assert {Path(path).read_text() for path in paths} == {f"{number}{letter}" for letter in "abcd"}
+
+
+@pytest.mark.parametrize("links", [True, False])
+def test_no_new_file_takes_the_place_of_another(tmp_path, monkeypatch, links):
+    if not links:
+        monkeypatch.setattr(atomic.os, "link", refuse)
     with ThreadPoolExecutor(8) as threads:
-        paths = list(threads.map(lambda _: new_file("pictures", "x", ".gif"), range(40)))
-    assert len(set(paths)) == 40 and not any(path.exists() for path in paths)
+        paths = list(threads.map(lambda number: save_new("pictures", "x", ".gif", b"%d" % number), range(40)))
+    assert [path.read_bytes() for path in paths] == [b"%d" % number for number in range(40)]
+    assert len(os.listdir(paths[0].parent)) == 40
+
+
+def refuse(*_):
+    raise PermissionError(errno.EPERM, "no hard links here")
+
+
+def test_what_a_killed_process_was_writing_is_cleared_and_what_is_being_written_is_not(tmp_path):
+    script = (
+        "import os, sys, time; from game.world.files.atomic import Part\n"
+        "part = Part(sys.argv[1], 'film'); part.file.write(b'x'); print(part.path, flush=True); time.sleep(600)"
+    )
+    window = subprocess.Popen([sys.executable, "-c", script, str(tmp_path)], stdout=subprocess.PIPE, text=True)
+    path = Path(window.stdout.readline().strip())
+    (tmp_path / ".recording-0ld.part").write_bytes(b"of a version that locked nothing")
+    clear_parts(tmp_path)
+    assert list(tmp_path.iterdir()) == [path]
+    window.kill()
+    window.communicate()
+    clear_parts(tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_file_whose_end_finds_no_room_leaves_nothing_and_is_named(tmp_path, monkeypatch):
+    with pytest.raises(FileError, match=r"film.gif: cannot write the recording: no space left on device"):
+        film = GifWriter(numbered(tmp_path / "film.gif"), bytes(768))
+        film._part.file = open("/dev/full", "wb")  # noqa: SIM115 - the film closes it
+        film.add(np.zeros((4, 4), np.uint8), 40)
+        film.close()
+    assert os.listdir(tmp_path) == []
+
+
+def test_every_file_obeys_the_umask(tmp_path, monkeypatch):
+    monkeypatch.setattr(atomic, "UMASK", 0o077)
+    film = GifWriter(numbered(tmp_path / "film.gif"), bytes(768))
+    film.add(np.zeros((4, 4), np.uint8), 40)
+    for path in (film.close(), save_new("scenes", "x", ".png", b"")):
+        assert path.stat().st_mode & 0o777 == 0o600

@@ -1,0 +1,89 @@
+"""Kept kernels save time and decide nothing: whatever becomes of the cache, a kernel is compiled and right."""
+
+import errno
+import os
+
+import numpy as np
+import pytest
+
+from game.core import jit
+
+
+@pytest.fixture(autouse=True)
+def cache(tmp_path, monkeypatch):
+    """Return the folder of a cache of its own, and let no trouble with it be told elsewhere."""
+    monkeypatch.setattr(jit, "_FOLDER", tmp_path / "kernels")
+    monkeypatch.setattr(jit._KernelCache, "cache_path", str(tmp_path / "kernels"))
+    monkeypatch.setattr(jit, "_troubles", [])
+    monkeypatch.setattr(jit, "_kernels", [])
+    return tmp_path / "kernels"
+
+
+def started():
+    """Return a kernel as a new process has it."""
+
+    def total(values):
+        return values.sum()
+
+    return jit.kernel(total)
+
+
+def runs(kernel):
+    """Return whether a kernel is right, and whether its code was kept."""
+    assert kernel(np.arange(4)) == 6
+    return bool(kernel.stats.cache_hits)
+
+
+def test_what_was_compiled_once_is_only_read_again(cache):
+    assert not runs(started()) and runs(started())
+    assert jit.trouble() is None and len(list(cache.iterdir())) == 1
+
+
+def swapped(data):
+    """Return the bytes with one in the middle changed."""
+    return data[: len(data) // 2] + bytes([data[len(data) // 2] ^ 1]) + data[len(data) // 2 + 1 :]
+
+
+@pytest.mark.parametrize("damage", [lambda data: b"", lambda data: data[:-9], swapped, lambda data: b"x" * 999])
+def test_a_damaged_kernel_is_compiled_again_and_kept_again(cache, damage):
+    runs(started())
+    (path,) = cache.iterdir()
+    path.write_bytes(damage(path.read_bytes()))
+    assert not runs(started())
+    assert str(path) in jit.trouble() and jit.trouble().isprintable()
+    assert runs(started())
+
+
+def test_a_kernel_that_is_not_what_it_was_packed_as_is_compiled_again(cache, monkeypatch):
+    runs(started())
+    monkeypatch.setattr(jit.CompileResult, "_rebuild", lambda *_: 1 / 0)
+    assert not runs(started()) and "division by zero" in jit.trouble()
+
+
+@pytest.mark.parametrize("act", ["open", "replace"])
+def test_a_full_disk_costs_the_next_start_time_and_leaves_nothing(cache, monkeypatch, act):
+    def full(*_, **__):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    with monkeypatch.context() as patch:
+        patch.setattr(jit.os if act == "replace" else jit.Path, {"open": "write_bytes"}.get(act, act), full)
+        assert not runs(started())
+    assert "cannot keep a compiled kernel: no space left on device" in jit.trouble()
+    assert list(cache.iterdir()) == [] and not runs(started())
+
+
+def test_a_folder_that_is_gone_or_is_none_is_no_trouble_to_the_sand(cache):
+    runs(started())
+    jit.shutil.rmtree(cache)
+    assert not runs(started()) and jit.trouble() is None and runs(started())
+    jit.shutil.rmtree(cache)
+    cache.write_text("not a folder")
+    assert not runs(started()) and jit.trouble()
+
+
+def test_caches_that_another_process_removes_meanwhile_are_passed_over(tmp_path, monkeypatch):
+    (tmp_path / "kernels-gone").symlink_to(tmp_path / "nowhere")
+    for number in range(jit.FOLDERS_KEPT + 2):
+        (tmp_path / f"kernels-{number}").mkdir()
+    jit._prune(tmp_path, tmp_path / "kernels-0")
+    assert len([path for path in tmp_path.glob("kernels-*") if path.is_dir()]) == jit.FOLDERS_KEPT + 1
