@@ -6,6 +6,7 @@ import re
 import tomllib
 
 from game.world.files.atomic import FileError, printable
+from game.world.files.toml_text import parse_toml
 
 LARGEST_FILE = 32 * 2**20  # bytes: twice what drawing a 4K lattice cell by cell takes
 LONGEST_LINE = 200  # characters of a title or notice
@@ -112,12 +113,12 @@ def read_table(path):
     """Return the CheckedTable in the TOML file at `path`; raise TableError where it cannot be read."""
     text = _read_text(path)
     try:
-        return CheckedTable(path, tomllib.loads(text))
+        return CheckedTable(path, parse_toml(text))
     except tomllib.TOMLDecodeError as error:
         reason, place = re.fullmatch(r"(.*?)(?: \(at (.*)\))?", str(error), re.DOTALL).groups()
         found, wanted = f"broken TOML ({reason})", "key = value, [table] or [[shape]]"
         raise TableError(path, place or "TOML", found, wanted) from None
-    except (ValueError, RecursionError):  # a number of thousands of digits, or thousands of nested brackets
+    except (ValueError, RecursionError):  # thousands of digits, nested brackets or parts of a key
         raise TableError(path, "TOML", "a number or a nesting out of bounds", "ordinary numbers and tables") from None
 
 

@@ -1,11 +1,11 @@
 """The settings' file: a line `key = value` each, read one by one, so that a bad line costs no other one its value."""
 
 import json
-import tomllib
 from dataclasses import dataclass, field
 
 from game.world.files.atomic import printable
 from game.world.files.checked_table import shown
+from game.world.files.toml_text import parse_toml
 
 VERSION = 1
 HEAD = """\
@@ -43,7 +43,7 @@ def read_lines(data, rows):
 
 def _read_line(kept, line, number, rows):
     try:
-        [(key, value)] = tomllib.loads(line.decode()).items()
+        [(key, value)] = parse_toml(line.decode()).items()
     except (ValueError, RecursionError):  # of TOML, of UTF-8, of numbers too long, of more keys than one
         _put_aside(kept, line, f"line {number}: found {shown(line.decode('utf-8', 'replace'))}, wanted key = value")
         return
