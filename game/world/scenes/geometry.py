@@ -18,6 +18,7 @@ class Region:
     right: float
     bottom: float
     inside: Callable
+    parts: tuple = ()  # (left, top, right, bottom) of what `inside` works on one by one, if not on the whole at once
 
 
 def rectangle(left, top, width, height):
@@ -45,8 +46,10 @@ def stroke(points, reach):
             near[rows, columns] |= _distance2(x[columns], y[rows], start, end) <= reach**2 + TIE
         return near
 
-    xs, ys = zip(*points, strict=True)
-    return Region(min(xs) - reach, min(ys) - reach, max(xs) + reach, max(ys) + reach, inside)
+    xs, ys = np.array(points).T
+    lows, highs = (np.array([side(each[:-1], each[1:]) for each in (xs, ys)]) for side in (np.minimum, np.maximum))
+    parts = tuple(zip(*(lows - reach), *(highs + reach), strict=True))
+    return Region(xs.min() - reach, ys.min() - reach, xs.max() + reach, ys.max() + reach, inside, parts)
 
 
 def polygon(points):
@@ -61,7 +64,8 @@ def polygon(points):
             odd[rows] ^= x < x0 + (y[rows] - y0) * ((x1 - x0) / (y1 - y0 or 1.0))
         return odd | outline.inside(x, y)
 
-    return Region(outline.left, outline.top, outline.right, outline.bottom, inside)
+    across = tuple((outline.left, top, outline.right, bottom) for _, top, _, bottom in outline.parts)
+    return Region(outline.left, outline.top, outline.right, outline.bottom, inside, outline.parts + across)
 
 
 def bars(left, top, width, height, size, across):

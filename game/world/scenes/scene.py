@@ -22,7 +22,7 @@ from game.world.scenes.cell_arrays import EMPTY, painted_cells, parted, resample
 from game.world.scenes.fixture_tables import KEYS as FIXTURE_KEYS
 from game.world.scenes.fixture_tables import checked_number, read_fixture
 from game.world.scenes.hourglass_spec import Glass
-from game.world.scenes.shapes import Scale, glass_of, neck_of, paint, read_shapes
+from game.world.scenes.shapes import MOST_WORK, Scale, glass_of, neck_of, paint, read_shapes, work_of
 
 ORDER = (  # as shown; others follow
     *("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "maze", "tower", "city", "marbles", "delta"),
@@ -186,9 +186,12 @@ def _drawn(table, folder):
 
 def _painted(table, scale):
     """Return the (H, W) uint8 materials that the shapes of `table` paint on the lattice of a Scale, and the shapes."""
-    cells, shapes = np.full((scale.height, scale.width), EMPTY, np.uint8), []
+    cells, shapes, work = np.full((scale.height, scale.width), EMPTY, np.uint8), [], 0
     for each in table.tables("shape"):
         for shape in read_shapes(each, scale):
+            work += work_of(shape, scale)
+            if work > MOST_WORK:
+                raise each.error("kind", "more to paint", f"shapes that come over {MOST_WORK:,} cells at most in all")
             paint(cells, shape, scale)
             shapes.append(shape)
     return cells, shapes

@@ -21,6 +21,8 @@ LENGTH = Knob("length", 1.0, 0.01, SIDE.high, "cells", "the size of a shape, or 
 BOX = ("x", "y", "width", "height")  # a shape's left, top and size; left out, the whole scene
 DYE = "dye"  # not a material: it gives sand another colour and leaves the rest
 HOURGLASS = (*BOX, "neck", "curve", "wall", "fill")
+MOST_WORK = 2**32  # cells that all shapes of a scene may come over, or minutes go by
+LEAST_WORK = 2**12  # cells that reading a point or painting a shape is worth
 BAND = 128  # rows painted at a time: bounds the memory that painting takes on the largest lattice
 
 
@@ -79,11 +81,11 @@ class HourglassShape:
 
 
 def read_shapes(table, scale):
-    """Return what a table [[shape]] spells, one shape for each time it is repeated; raise TableError if it is wrong."""
+    """Yield what a table [[shape]] spells, one shape for each time it is repeated; raise TableError if it is wrong."""
     kind = table.choice("kind", ("hourglass", *KINDS))
     table = CheckedTable(table.file, table.values, f"{table.where[:-1]} ({kind}).")
     read = _read_hourglass if kind == "hourglass" else _read_shape
-    return [read(each, scale) for each in _repeated(table)]
+    return (read(each, scale) for each in _repeated(table))
 
 
 def neck_of(shapes, scale):
@@ -103,6 +105,18 @@ def glass_of(shapes, scale):
         return Glass(scale.width, scale.height, left, top, *shapes[0].numbers_on(scale))
     except ValueError:  # no slider makes a neck as wide, or a wall as thick, as it is on this lattice
         return None
+
+
+def work_of(shape, scale):
+    """Return about how many cells of a lattice are come over as a shape is painted."""
+    if isinstance(shape, HourglassShape):
+        left, top, right, bottom = shape.box_on(scale)
+        return LEAST_WORK + (right - left) * (bottom - top)
+    region = shape.region
+    boxes = np.array(region.parts or [(region.left, region.top, region.right, region.bottom)])
+    left, right = (np.clip(boxes[:, side] * scale.x, 0, scale.width) for side in (0, 2))
+    top, bottom = (np.clip(boxes[:, side] * scale.y, 0, scale.height) for side in (1, 3))
+    return int(((right - left + 1) * (bottom - top + 1)).sum()) + LEAST_WORK * len(boxes)
 
 
 def paint(cells, shape, scale):

@@ -3,6 +3,11 @@
 import numpy as np
 import pytest
 
+from game.world.files.checked_table import read_table
+from game.world.files.paths import asset
+from game.world.sand.parameters import SIDE
+from game.world.scenes import scene
+from game.world.scenes.shapes import MOST_WORK, Scale, read_shapes, work_of
 from tests.world.scenes.test_scene import SIZE, complaint, drawn, loaded
 
 
@@ -57,3 +62,23 @@ def test_as_many_squares_have_a_slat_as_is_asked_for(tmp_path):
 
 def test_another_seed_gives_another_pattern(tmp_path):
     assert (slats(tmp_path, 1, 1) != slats(tmp_path, 1, 2)).any()
+
+
+def test_the_work_of_a_scene_is_bounded_whatever_its_shapes(tmp_path, monkeypatch):
+    monkeypatch.setattr(scene, "paint", lambda cells, shape, scale: None)
+    points = [[x % 2 * 16000, x] for x in range(1000)]
+    many = f"points = {points}"
+    for kind in (f"kind = 'polygon'\n{many}", f"kind = 'line'\nthickness = 9000\n{many}", "kind = 'slats'\nsize = 3"):
+        path = tmp_path / "some.toml"
+        path.write_text(f"width = 16384\nheight = 16384\n[[shape]]\n{kind}\nmaterial = 'sand'\nrepeat = [1000, 1]\n")
+        with pytest.raises(scene.SceneError, match=r"shape 1\.kind: found more to paint, wanted shapes that come over"):
+            scene.load_scene(path)
+
+
+@pytest.mark.parametrize("name", scene.scene_names())
+def test_every_shipped_scene_can_be_painted_on_the_largest_lattice(name):
+    table = read_table(asset("scenes", f"{name}.toml"))
+    scale = Scale(table.values["width"], table.values["height"], SIDE.high, SIDE.high)
+    assert (
+        sum(work_of(shape, scale) for each in table.tables("shape") for shape in read_shapes(each, scale)) < MOST_WORK
+    )
