@@ -23,13 +23,12 @@ class CrashRecovery:
         session = self._sessions.now
         self._journals.keep()
         self._journals.begin(session, session.timeline.history.story())
-        self._background.do(lambda: next(journal.unfinished(), None), self._offer)
+        self._background.do(_left_over, self._offer)
 
-    def _offer(self, path):
-        if path is None:
+    def _offer(self, found):
+        if found is None:
             return
-        when = datetime.fromtimestamp(path.stat().st_mtime)
-        text = f"Your session of {when:%d %B, %H:%M}, was cut off. Nothing in it is lost."
+        path, text = found
         answers = (
             Answer("Resume", partial(self._resume, path), pygame.K_RETURN, "Enter"),
             Answer("Later", None, pygame.K_ESCAPE, "Esc"),
@@ -51,3 +50,15 @@ class CrashRecovery:
 
     def _discard(self, path):
         self._background.do(partial(journal.finish, path))
+
+
+def _left_over():
+    """Return (path, what to say) of the newest journal that a crash left, or None."""
+    path = next(journal.unfinished(), None)
+    if path is None:
+        return None
+    session = f"Your session of {datetime.fromtimestamp(path.stat().st_mtime):%d %B, %H:%M},"
+    if not path.name.endswith(journal.STOPPED):
+        return path, f"{session} was cut off. Nothing in it is lost."
+    acts = journal.acts_in(path)
+    return path, f"{session} went on when its journal could not. Acts that it holds: {acts:,}; nothing later."

@@ -6,6 +6,7 @@ window has a journal of its own, locked while it is open: one without an end tha
 crash.
 """
 
+import contextlib
 import os
 import re
 import shutil
@@ -22,7 +23,8 @@ from game.world.sessions.session_format import LARGEST_FILE, LineWriter, ReplayE
 
 SYNC_S = 2.0  # a power cut takes no more than this; less wears the disk
 WAIT_S = 1.0  # between two notes that time went on: after a crash a session goes on from there
-MOST_JOURNALS = 30  # finished or not; older ones are removed
+STOPPED = f".stopped{SUFFIX}"  # how the name ends of a journal that could not be written to its session's end
+MOST_JOURNALS = 30  # older ones that are finished are removed
 MOST_BYTES = 100 * 10**6  # of all journals but the open ones
 LONGEST_END = 120  # bytes, of the line that ends a journal
 AN_ACT = re.compile(rb'"do":"(?!wait)')
@@ -42,7 +44,7 @@ class Journal:
 
     def __init__(self, path, handle, pen):
         self.path = path
-        self._handle, self._pen = handle, pen
+        self._handle, self._pen, self._size = handle, pen, os.fstat(handle).st_size
         self._noted_at, self._waited_s = None, time.monotonic()
         self._synced_s, self._syncing, self._failed = time.monotonic(), None, None
 
@@ -97,7 +99,11 @@ class Journal:
                 return
             self._waited_s = time.monotonic()
         self._noted_at = entry.at
-        self._write(self._pen.entry(entry))
+        line = self._pen.entry(entry)
+        if self._size + len(line) > LARGEST_FILE - LONGEST_END:
+            self._stop()
+            raise JournalError(f"{self.path}: cannot write the journal: it is full, with {self._size} bytes")
+        self._write(line)
 
     def close(self, at, digest):
         """Write the end, so that the session counts as finished, and put all of it on the disk."""
@@ -116,9 +122,10 @@ class Journal:
     def _write(self, line):
         try:
             while line:
-                line = line[os.write(self._handle, line) :]
+                written = os.write(self._handle, line)
+                line, self._size = line[written:], self._size + written
         except OSError as error:
-            self._shut()
+            self._stop()
             raise JournalError(trouble(self.path, "cannot write the journal", error)) from None
         if time.monotonic() - self._synced_s >= SYNC_S and not (self._syncing and self._syncing.is_alive()):
             self._synced_s = time.monotonic()
@@ -137,8 +144,15 @@ class Journal:
     def _check(self):
         if self._failed:
             error, self._failed = self._failed, None
-            self._shut()
+            self._stop()
             raise JournalError(trouble(self.path, "cannot write the journal", error)) from None
+
+    def _stop(self):
+        """Shut the journal while its session goes on, and let its name say so: even on a full disk that can be done."""
+        self._shut()
+        if not self.path.name.endswith(STOPPED):
+            with contextlib.suppress(OSError):
+                self.path = self.path.rename(self.path.with_name(self.path.name.removesuffix(SUFFIX) + STOPPED))
 
     def _shut(self):
         if self._syncing:
@@ -159,13 +173,22 @@ def finish(path):
     journal.close(recording.end, "")
 
 
+def acts_in(path):
+    """Return how many acts a journal holds, undone ones and the segments of strokes among them; raise FileError."""
+    return len(AN_ACT.findall(load(path, LARGEST_FILE)))
+
+
 def prune(folder=None):
-    """Remove the oldest journals, so that neither their number nor their size passes its bound; open ones stay."""
+    """Remove the oldest finished journals, so that neither number nor size of all passes its bound.
+
+    Open ones stay, and so does what a crash left until somebody has gone on with it or let it go.
+    """
     number, size = 0, 0
     for path in _journals(folder):
         try:
             number, size = number + 1, size + path.stat().st_size
-            if (number >= MOST_JOURNALS or size > MOST_BYTES) and not _is_open(path):
+            over = number >= MOST_JOURNALS or size > MOST_BYTES
+            if over and not _is_open(path) and not _is_unfinished(path):
                 path.unlink()
                 Path(f"{path}.damaged").unlink(missing_ok=True)
         except OSError:
@@ -173,7 +196,15 @@ def prune(folder=None):
 
 
 def _journals(folder):
-    return sorted(Path(folder or data_folder()).glob(f"*{SUFFIX}"), reverse=True)
+    """Return the paths of journals, the one written last first; their names tell what the clock said, not their age."""
+
+    def written(path):
+        try:
+            return path.stat().st_mtime_ns, path.name
+        except OSError:
+            return 0, path.name
+
+    return sorted(Path(folder or data_folder()).glob(f"*{SUFFIX}"), key=written, reverse=True)
 
 
 def _open(path, flags=0):

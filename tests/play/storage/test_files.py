@@ -622,3 +622,17 @@ def test_the_pointer_is_heard_in_the_frame_in_which_a_replay_opens(player):
     while player.parts.background.busy:
         player.frame(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=(300, 300), button=1), elapsed_ns=0)
     assert player.session is not before
+
+
+def test_a_session_whose_journal_had_to_stop_is_offered_with_what_it_holds(player, monkeypatch):
+    begun = Journal.begin(player.session.scene, 0)
+    begun.note(Entry(0, UNDO))
+    with monkeypatch.context() as full:
+        full.setattr(journal.os, "write", lambda handle, line: (_ for _ in ()).throw(OSError(28, "full")))
+        with pytest.raises(journal.JournalError):
+            begun.note(Entry(1, UNDO))
+    asked = []
+    monkeypatch.setattr(player.toy.question, "ask", lambda title, text, answers: asked.append(text))
+    player.toy.crash_recovery.start()
+    player.settle()
+    assert "Acts that it holds: 1; nothing later." in asked[0] and "Nothing in it is lost" not in asked[0]

@@ -311,3 +311,42 @@ def test_frames_in_which_nothing_is_done_are_noted_once_a_second(monkeypatch):
         sizes.append(path.stat().st_size)
     lines = path.read_bytes().count(b"\n")
     assert lines == 1 + 3 and sizes == sorted(set(sizes))
+
+
+def test_a_journal_that_had_to_stop_says_so_and_how_much_it_holds(monkeypatch):
+    session = session_with_journal()
+    session.do(DOT)
+    session.do(Flip())
+    monkeypatch.setattr(journals.os, "write", full_disk)
+    session.do(Clear())
+    assert session.journal is None and "no space left" in session.trouble
+    path = next(unfinished())
+    assert path.name.endswith(journals.STOPPED) and journals.acts_in(path) == 2
+
+
+def full_disk(handle, line):
+    raise OSError(errno.ENOSPC, "No space left on device")
+
+
+def test_no_journal_grows_larger_than_what_can_be_read_again(monkeypatch):
+    session = session_with_journal()
+    monkeypatch.setattr(journals, "LARGEST_FILE", session.journal.path.stat().st_size + 1000)
+    for _ in range(100):
+        session.do(Flip())
+    assert session.journal is None and "it is full" in session.trouble
+    path = next(unfinished())
+    assert path.stat().st_size <= journals.LARGEST_FILE and resumed(path).timeline.history.story()
+
+
+def test_what_a_crash_left_is_never_pruned_whatever_the_clock_said(folder, monkeypatch):
+    session = session_with_journal()
+    session.do(DOT)
+    session.journal.abandon()
+    left = session.journal.path
+    for number in range(journals.MOST_JOURNALS + 5):
+        later = session_with_journal(number)
+        later.journal.close(0, "")
+        later.journal.path.rename(folder / f"2099-01-01T00-00-{number:02}.000000-1.sandglass")
+    os.utime(left, (0, 0))
+    prune()
+    assert list(unfinished()) == [left]
