@@ -86,6 +86,8 @@ def running_time(toy):
     if ending.endless:
         return "Runs for longer than can be foreseen."
     left = ending.at - session.now
+    if left <= 0 and not ending.has_neck:
+        return "All sand is at rest, and there is no neck."
     if left <= 0:
-        return "No sand is above the neck."
+        return "The sand above the neck is stuck." if ending.left else "No sand is above the neck."
     return f"Runs for {spell(left / session.clock.speed)} more at {session.clock.speed:,.0f} iterations a second."

@@ -217,6 +217,8 @@ class Timer:
         now, left_s = self._sessions.now.now, self.left_s
         if run_out.endless:
             return "endless", "No end of this sand can be foreseen: the timer only counts down."
+        if now >= run_out.at and not run_out.has_neck:
+            return "rest", "All sand is at rest, and there is no neck: the timer only counts down."
         if now >= run_out.at and run_out.left:
             return "stuck", "The sand above the neck is stuck: the timer only counts down."
         if now >= run_out.at:

@@ -1,12 +1,16 @@
 """The hourglass maker in the panel: the glass changes under a slider, the sand stays, and one undo takes it back."""
 
+from types import SimpleNamespace
+
 import pygame
 import pytest
 
 from game.play.panel.glass_section import running_time
 from game.world.scenes.hourglass_maker import HEIGHT
 from game.world.scenes.scene import load_scene
+from game.world.sessions.action import Clear, Paint
 from game.world.sessions.run_out import find_run_out
+from game.world.sessions.session import Session
 from tests.play.player import Player
 
 
@@ -131,3 +135,21 @@ def test_a_drag_to_a_small_glass_and_back_leaves_a_full_one(maker):
     assert (maker.world.sand == glass.cells()[0]).all() and maker.session.account.balanced(maker.world)
     assert glass.fill == start.fill and maker.world.grains > 1000
     assert "filled anew" not in (maker.parts.notices.text or "")
+
+
+@pytest.mark.parametrize(
+    ("walls", "words"),
+    [
+        ((87.0, 118.0, 93.0, 118.0), "The sand above the neck is stuck."),
+        (None, "No sand is above the neck."),
+    ],
+)
+def test_a_plugged_glass_is_not_said_to_be_empty(walls, words):
+    session = Session(load_scene("hourglass"))
+    if walls:
+        session.do(Paint("wall", walls[:2], walls[2:], 4))
+    else:
+        session.do(Clear())
+    ending = find_run_out(session.timeline.lookahead())
+    parts = SimpleNamespace(planner=SimpleNamespace(ask=lambda: ending), sessions=SimpleNamespace(now=session))
+    assert running_time(parts) == words

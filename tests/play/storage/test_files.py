@@ -632,7 +632,7 @@ def test_a_session_whose_journal_had_to_stop_is_offered_with_what_it_holds(playe
         with pytest.raises(journal.JournalError):
             begun.note(Entry(1, UNDO))
     asked = []
-    monkeypatch.setattr(player.toy.question, "ask", lambda title, text, answers: asked.append(text))
-    player.toy.crash_recovery.start()
+    monkeypatch.setattr(player.parts.dialog, "ask", lambda title, text, answers: asked.append(text))
+    player.parts.crash_recovery.start()
     player.settle()
     assert "Acts that it holds: 1; nothing later." in asked[0] and "Nothing in it is lost" not in asked[0]
