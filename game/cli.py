@@ -78,15 +78,15 @@ def _scene_options(parser):
     parser.add_argument(
         "--seed", type=_setting(parameters.SEED), help=f"{parameters.SEED.meaning} (default: the scene's)"
     )
-    parser.add_argument("--size", type=_size, metavar="WxH", help="another lattice for the scene, in cells")
+    parser.add_argument("--size", type=_size, metavar="WxH", help="size of the lattice in cells (default: the scene's)")
 
 
 def _play_parser():
     parser = _Parser(
         prog="sandglass",
-        description="Sand that you paint, pour, stop with walls and turn over.",
-        epilog="commands: headless (frames without a window, timed), bench (how fast it is), study (how right it is); "
-        "add --help for theirs",
+        description="A falling-sand toy: paint sand and walls, and turn the glass over.",
+        epilog="other commands: headless (time frames without a window), bench (measure the speed), "
+        "study (check the model); each has its own --help",
     )
     _scene_options(parser)
     parser.add_argument("--replay", metavar="FILE", help="play a recorded session")
@@ -94,7 +94,7 @@ def _play_parser():
         "--timer",
         type=_duration,
         metavar="TIME",
-        help="run out after 3m, 90s, 1:30 or 1h; without --scene in a glass made for it",
+        help="start a timer of 3m, 90s, 1:30 or 1h; without --scene, in a glass made for it",
     )
     parser.add_argument(
         "--cell", type=_setting(parameters.CELL), metavar="PX", help=f"{parameters.CELL.meaning}, in pixels"
@@ -111,16 +111,17 @@ def _headless_parser():
         "--frames", type=_setting(parameters.FRAMES), default=parameters.FRAMES.default, help=parameters.FRAMES.meaning
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
-    parser.add_argument("--replay", metavar="FILE", help="compute a recorded session to its end instead")
+    parser.add_argument("--replay", metavar="FILE", help="compute a recorded session to its end")
     return parser
 
 
 def _bench_parser():
     parser = _Parser(
-        prog="sandglass bench", description="Measure how fast the sand is, beside the paper, peers and the memory."
+        prog="sandglass bench",
+        description="Measure how fast the sand is, beside the paper, other programs and the memory.",
     )
     parser.add_argument(
-        "--quick", action="store_true", help="smaller lattices and fewer rounds: half a minute, not six"
+        "--quick", action="store_true", help="smaller lattices and fewer rounds: half a minute instead of six"
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument(
@@ -132,9 +133,9 @@ def _bench_parser():
 def _study_parser():
     parser = _Parser(
         prog="sandglass study",
-        description="Measure how right the sand is, row by row against what is expected; status 1 if a row disagrees.",
+        description="Compare the sand, row by row, with what is expected; exit with status 1 if a row disagrees.",
     )
-    parser.add_argument("--quick", action="store_true", help="a run of less than a minute, with larger errors")
+    parser.add_argument("--quick", action="store_true", help="less than a minute, with larger errors")
     parser.add_argument(
         "--out",
         type=Path,
@@ -142,7 +143,7 @@ def _study_parser():
         metavar="DIR",
         help="where README.md, the whole report and its pictures go",
     )
-    parser.add_argument("--part", action="append", metavar="NAME", help="run this part only; may be given again")
+    parser.add_argument("--part", action="append", metavar="NAME", help="run only this part; may be repeated")
     return parser
 
 

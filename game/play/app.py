@@ -42,7 +42,7 @@ class App:
         """Give events to what lies on top first, then to the cursor, the panel, the keys and the sand."""
         left = self.parts.cursor.handle_events(self._left_by_cards(events, now_s, mouse_pos))
         if self.parts.display.panel_shown and not self.parts.display.page:
-            left = self.parts.panel.lay_out(self.parts.display.layout.panel, left, now_s, mouse_pos, self.parts)
+            left = self.parts.panel.lay_out(left, now_s, mouse_pos)
         for event in left:
             self.parts.event_router.handle_event(event)
         for event in events:

@@ -62,7 +62,6 @@ def _size(scene, settings, cell, theme):
 def _start_timer(app, timer_s):
     app.parts.timer.set(timer_s)
     app.parts.timer.start()
-    app.parts.panel.timer.unfold()
 
 
 def run(app, later=None):

@@ -14,9 +14,18 @@ from game.play.controls.rewind import Rewind
 from game.play.controls.time_bar import TimeBar
 from game.play.forecast.forecasting import Forecasting
 from game.play.frame_step import FrameStep
-from game.play.pages.gallery import Gallery
-from game.play.pages.help import Help
+from game.play.pages.gallery import GalleryPage
+from game.play.pages.help import HelpPage
+from game.play.panel.friction_section import FrictionSection
+from game.play.panel.glass_section import GlassSection
 from game.play.panel.panel import Panel
+from game.play.panel.recording_section import RecordingSection
+from game.play.panel.scene_section import SceneSection
+from game.play.panel.show_section import ShowSection
+from game.play.panel.time_section import TimeSection
+from game.play.panel.timer_section import TimerSection
+from game.play.panel.tools_section import ToolsSection
+from game.play.panel.window_section import WindowSection
 from game.play.plots.plots import Plots
 from game.play.storage.crash_recovery import CrashRecovery
 from game.play.storage.files import Files
@@ -72,7 +81,7 @@ class Parts:
         self.stats_card = StatsCard(self.sessions, self.display, self.frame_stats)
         self.block_overlay = BlockOverlay(self.sessions, self.display, self.notices)
         self.forecasting = Forecasting(self.sessions, self.display, self.pointer)
-        self.plots = Plots(self)
+        self.plots = Plots(self.sessions, self.display, self.frame_stats, self.background, self.notices)
         self.dialog = Dialog(self.display)
         self.photo_import = PhotoImport(self.sessions, self.display)
         self.files = Files(self.sessions, self.journals, self.photo_import, self.background, self.notices)
@@ -81,15 +90,15 @@ class Parts:
         self.settings_saver = SettingsSaver(
             self.settings, self.sessions, self.brush, self.window, self.background, self.notices
         )
-        self.gallery = Gallery(self)
-        self.help = Help(self)
+        self.gallery = GalleryPage(self.display, self.sessions, self.files, self.background, self.notices)
+        self.help = HelpPage(self.display)
         self.display.pages = self.help, self.gallery
         self.hiss = Hiss(self.sessions, self.settings, self.audio, self.background, self.notices)
         self.planner = RunOutPlanner(self.sessions, self.background)
         self.glow = Glow(self.display, self.settings)
         chime = Chime(self.settings, self.audio, self.background)
         self.timer = Timer(self.sessions, self.planner, self.notices, self.window.set_title, self.glow, chime)
-        self.panel = Panel(Ui(self.display.theme))
+        self.panel = Panel(Ui(self.display.theme), self.display)
 
     def _make_controls(self):
         """Make what keys and pointer work, and tell in which order all parts hear and are seen."""
@@ -99,7 +108,7 @@ class Parts:
         self.cursor = KeyboardCursor(sessions, brush, self.panel.ui.focus)
         self.fast_forward = FastForward(sessions, self.background, notices, self.keys)
         self.commands = Commands(
-            TimeCommands(sessions, notices, self.keys, self.fast_forward, self.timer, self.panel.timer.unfold),
+            TimeCommands(sessions, notices, self.keys, self.fast_forward, self.timer),
             SandCommands(sessions, self.journals, self.settings, display, notices, brush, self.camera, self.timer),
             ViewCommands(
                 *(sessions, display, notices, brush, self.camera, self.cursor, self.block_overlay),
@@ -107,6 +116,7 @@ class Parts:
             ),
             FileCommands(sessions, self.files, self.gallery, self.recorder, self.plots),
         )
+        self.panel.sections = self._sections()
         first = self.rewind, self.camera, self.fast_forward
         on_window = {
             pygame.QUIT: lambda event: self.quit(),
@@ -126,6 +136,21 @@ class Parts:
         hints = Hints(self.settings, sessions, display, notices)
         self.watchers = [self.recorder, self.settings_saver, badge, self.stats_card, self.hiss, hints]
         self.watchers += [self.forecasting, self.plots, self.fast_forward, self.timer, self.glow]
+
+    def _sections(self):
+        """Return the sections of the panel, from top to bottom."""
+        sessions, commands = self.sessions, self.commands
+        return (
+            SceneSection(sessions, commands.files),
+            ToolsSection(self.brush),
+            FrictionSection(sessions),
+            TimeSection(sessions, commands.time, commands.sand, self.fast_forward),
+            TimerSection(self.timer, sessions, self.settings, commands.time),
+            GlassSection(sessions, self.planner, self.notices),
+            RecordingSection(sessions, self.recorder, self.files, commands.time),
+            ShowSection(sessions, self.forecasting, self.plots, self.stats_card, commands.sand),
+            WindowSection(self.settings, self.hiss, commands.view),
+        )
 
     def let_go(self):
         """Let go of all that a key or a button holds: nobody may hear it come up."""

@@ -1,10 +1,12 @@
 """A player at the window: hands that press keys and buttons, under the dummy video driver."""
 
 import time
+from unittest import mock
 
 import pygame
 
 from game.play.app import App
+from game.play.ui import draw_list
 from game.play.window.window import Window
 from game.world.scenes.scene import load_scene
 
@@ -84,6 +86,28 @@ class Player:
         """Return the pixel in the middle of a cell."""
         x, y = self.parts.display.stage.view.pixel(column + 0.5, row + 0.5)
         return int(x), int(y)
+
+    def unfold(self, name):
+        """Open a fold of the panel."""
+        self.click(self.parts_of(name)[0].center)
+
+    def written(self):
+        """Draw everything anew; return [(rect in the window, text, size)] of all words, scrolled into view or not."""
+        found, draw = [], draw_list.draw
+
+        def noted(surface, theme, strokes, shift=(0, 0)):
+            for stroke, rect, *how in strokes:
+                if stroke is draw_list.words:
+                    found.append((pygame.Rect(rect).move(shift), *how[:2]))
+            draw(surface, theme, strokes, shift)
+
+        with mock.patch.object(draw_list, "draw", noted):
+            self.frame(pygame.event.Event(pygame.WINDOWEXPOSED), elapsed_ns=0)
+        return found
+
+    def words(self):
+        """Return all that is written, as one text."""
+        return " ".join(text for _, text, _ in self.written())
 
     def control(self, name, share=0.5):
         """Scroll to a control and return the place at `share` of the way along its moving part."""

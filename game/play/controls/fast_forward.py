@@ -93,7 +93,7 @@ class FastForward:
         world = self._sessions.now.world
         neck = find_neck(world)
         if neck is None:
-            self._notices.say("There is no one neck here for the sand to pass.")
+            self._notices.say("This scene has no single neck.")
             return
         now = neck.grains_above(world)
         self._begin(AWAITING, lambda world, rule: neck.grains_above(world) != now)
@@ -140,7 +140,7 @@ class FastForward:
         elif found:
             self._narrow()
         elif self._mode == AWAITING and session.at_rest:
-            self._notices.say("No sand will pass the neck any more.")
+            self._notices.say("No more sand will pass the neck.")
             self.stop()
 
     def _hear_key(self, event):

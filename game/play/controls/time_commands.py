@@ -11,10 +11,9 @@ FASTER = 2**0.5  # what one press of + does to the speed
 class TimeCommands:
     """The keys and buttons of time."""
 
-    def __init__(self, sessions, notices, keys, fast_forward, timer, on_timer):
-        """`on_timer()` is called when the timer is started."""
+    def __init__(self, sessions, notices, keys, fast_forward, timer):
         self._sessions, self._notices, self._keys = sessions, notices, keys
-        self._fast_forward, self._timer, self._on_timer = fast_forward, timer, on_timer
+        self._fast_forward, self._timer = fast_forward, timer
         self.undo_goes_back = False  # undo goes to the moment of the act that it undoes
 
     def pause(self):
@@ -50,7 +49,6 @@ class TimeCommands:
             self._timer.stop()
         else:
             self._timer.start()
-            self._on_timer()
 
     def undo(self):
         """Undo the last act; where a session has none left, go back to the one it was opened over.

@@ -1,18 +1,19 @@
-"""The gallery: a page of pictures, shipped scenes that run and saved ones, opened by pointer or keyboard."""
+"""The gallery: a page of scenes as pictures, one shelf of shipped scenes that run and one of saved scenes."""
 
 import pygame
 
 from game.play.controls import keymap
 from game.play.pages.saved_scenes import SavedScenes
-from game.play.pages.shipped_scenes import LiveScenes
+from game.play.pages.shipped_scenes import ShippedScenes
 from game.play.ui import draw_list
 from game.play.ui import theme as look
+from game.play.ui.scroll import thumb
 
 PAD = 20  # pixels at scale 1: around the page
 GAP = 10
 HEAD, FOOT = 40, 46
 NAME = 24  # height of a name under its picture
-NARROWEST = 132  # tile; with no narrower ones in sight, the others are scrolled to
+NARROWEST = 132  # tile; what does not fit then is scrolled to
 LEAST = 6  # tiles that a page has room for: fewer are no larger
 PICTURE = 0.72  # height of a picture, as a share of its width
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
@@ -24,13 +25,14 @@ GOES_ON = {
 POINTING = pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION, pygame.MOUSEWHEEL
 
 
-class Gallery:
-    """The page, if it is open. It takes the place of everything else in the window."""
+class GalleryPage:
+    """The page, which fills the window while it is open."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, display, sessions, files, background, notices):
+        self._display = display
         self.shown = False
-        self.shelves = LiveScenes(toy), SavedScenes(toy)
+        shipped = ShippedScenes(sessions, display, background, is_open=lambda: self.shown)
+        self.shelves = shipped, SavedScenes(files, background, notices)
         self.shelf = self.shelves[0]
         self.chosen = 0
         self._top = 0  # the first row that shows
@@ -47,16 +49,16 @@ class Gallery:
     def close(self):
         """Close the gallery."""
         self.shown = False
-        self._toy.display.lay_out_anew()
+        self._display.lay_out_anew()
 
     def forget(self):
         """Draw everything next time."""
         self._drawn = None
 
     def handle_events(self, events, now_s, mouse_pos):
-        """Obey what is meant for the page and return the other events."""
+        """Handle what is meant for the page and return the other events."""
         self._now_s = now_s
-        return [event for event in events if not (self.shown and self._hear(event))]
+        return [event for event in events if not (self.shown and self._handle(event))]
 
     def draw(self, surface):
         """Bring the page up to date on the window; return the rects that changed."""
@@ -66,8 +68,8 @@ class Gallery:
         drawing = self._strokes(surface, tiles)
         if drawing != self._drawn:
             self._drawn = drawing
-            surface.fill(self._toy.display.theme.rgb(look.SUNKEN))
-            draw_list.draw(surface, self._toy.display.theme, drawing)
+            surface.fill(self._display.theme.rgb(look.SUNKEN))
+            draw_list.draw(surface, self._display.theme, drawing)
             moved = room
         for number in moved:
             self._draw_picture(surface, number, room[number])
@@ -79,7 +81,7 @@ class Gallery:
 
     def tab(self, number):
         """Return the rect in the window of a shelf's title."""
-        theme, x = self._toy.display.theme, self._page().x
+        theme, x = self._display.theme, self._page().x
         for shelf in self.shelves[:number]:
             x += theme.width(shelf.title, look.HEADING) + 2 * theme.px(GAP)
         return pygame.Rect(x, 0, theme.width(self.shelves[number].title, look.HEADING), theme.px(HEAD))
@@ -87,7 +89,7 @@ class Gallery:
     # --- what it looks like ---
 
     def _strokes(self, surface, tiles):
-        theme, page, shelf = self._toy.display.theme, self._page(), self.shelf
+        theme, page, shelf = self._display.theme, self._page(), self.shelf
         head = pygame.Rect(page.x, 0, page.width, theme.px(HEAD))
         strokes = [(draw_list.fill, surface.get_rect(), look.SUNKEN)]
         for number, each in enumerate(self.shelves):
@@ -100,7 +102,7 @@ class Gallery:
 
     def _empty(self):
         """Yield the strokes of what there is to say of a shelf without scenes."""
-        theme, page = self._toy.display.theme, self._page()
+        theme, page = self._display.theme, self._page()
         lines = theme.lines(self.shelf.empty, look.BODY, page.width) if not len(self.shelf) else ()
         line = theme.line_height(look.BODY)
         for number, each in enumerate(lines):
@@ -108,29 +110,26 @@ class Gallery:
             yield draw_list.words, place, each, look.BODY, look.DIM, 0.5
 
     def _thumb(self):
-        """Yield the stroke of the scroll bar's thumb, where not all rows show."""
-        page, px, (columns, shown, _) = self._page(), self._toy.display.theme.px, self._grid()
-        rows = -(-len(self.shelf) // columns)
-        if shown < rows:
-            place = pygame.Rect(page.right + px(PAD) // 2, page.y + page.height * self._top // rows, px(4), 0)
-            place.height = page.height * shown // rows
-            yield draw_list.box, place, look.EDGE, px(2)
+        """Return the strokes of the scroll bar's thumb, where not all rows show."""
+        page, px, (columns, shown, _) = self._page(), self._display.theme.px, self._grid()
+        track = pygame.Rect(page.right + px(PAD) // 2, page.y, px(4), page.height)
+        return thumb(self._display.theme, track, self._top, shown, -(-len(self.shelf) // columns))
 
     def _hint(self, head):
         """Return what of the head is free for the hint."""
-        tabs = self.tab(len(self.shelves) - 1).right + self._toy.display.theme.px(GAP)
+        tabs = self.tab(len(self.shelves) - 1).right + self._display.theme.px(GAP)
         return pygame.Rect(tabs, head.y, head.right - tabs, head.height)
 
     def _said(self):
         """Return the hint that there is room for."""
         room = self._hint(pygame.Rect(self._page().x, 0, self._page().width, 1)).width
         away = "Del puts away    " if self.shelf.lets_go and len(self.shelf) else ""
-        long = f"Arrows choose    Enter opens    {away}Tab turns the page    Esc closes"
+        long = f"Arrows choose    Enter opens    {away}Tab: next shelf    Esc closes"
         hints = long, f"Enter opens    {away}Esc closes", "Enter opens    Esc closes", ""
-        return next(each for each in hints if self._toy.display.theme.width(each, look.SMALL) <= room)
+        return next(each for each in hints if self._display.theme.width(each, look.SMALL) <= room)
 
     def _tile_strokes(self, number, rect):
-        px, chosen = self._toy.display.theme.px, number == self.chosen
+        px, chosen = self._display.theme.px, number == self.chosen
         strokes = [(draw_list.box, rect, look.HOVER if chosen else look.RAISED, px(5))]
         if chosen:
             strokes.append((draw_list.ring, rect, look.ACCENT, px(5), max(1, px(2))))
@@ -142,7 +141,7 @@ class Gallery:
 
     def _about(self):
         """Return the strokes of the sentence on the chosen scene."""
-        theme, page = self._toy.display.theme, self._page()
+        theme, page = self._display.theme, self._page()
         line = theme.line_height(look.SMALL)
         text = self.shelf.about(self.chosen) if len(self.shelf) else ""
         foot = pygame.Rect(page.x, page.bottom, page.width, line)
@@ -155,12 +154,12 @@ class Gallery:
     def _draw_picture(self, surface, number, room):
         picture = self.shelf.picture(number)
         if picture:
-            surface.fill(self._toy.display.theme.rgb(look.SUNKEN), room)
+            surface.fill(self._display.theme.rgb(look.SUNKEN), room)
             surface.blit(picture, picture.get_rect(center=room.center))
 
-    # --- what it hears ---
+    # --- events ---
 
-    def _hear(self, event):
+    def _handle(self, event):
         if event.type == pygame.KEYDOWN:
             return self._key(event)
         if event.type in POINTING:
@@ -169,7 +168,7 @@ class Gallery:
         return False
 
     def _key(self, event):
-        """Obey a key; others than the page's own are left to commands that do not touch the sand."""
+        """Handle a key; return False for those of commands that do not touch the sand."""
         if event.key in ARROWS and not event.mod & keymap.CTRL:
             dx, dy = ARROWS[event.key]
             self._choose(self.chosen + dx + dy * self._grid()[0])
@@ -230,12 +229,12 @@ class Gallery:
 
     def _page(self):
         """Return the rect of the tiles: between head and foot."""
-        (width, height), px = self._toy.display.window.size, self._toy.display.theme.px
+        (width, height), px = self._display.window.size, self._display.theme.px
         return pygame.Rect(px(PAD), px(HEAD), width - 2 * px(PAD), height - px(HEAD) - px(FOOT))
 
     def _grid(self):
         """Return (columns, rows in view, tile size) with tiles as large as lets all of them be seen, if possible."""
-        page, px = self._page(), self._toy.display.theme.px
+        page, px = self._page(), self._display.theme.px
         most = max(1, (page.width + px(GAP)) // (px(NARROWEST) + px(GAP)))
         for columns in range(1, most + 1):
             wide = (page.width + px(GAP)) // columns - px(GAP)
@@ -247,7 +246,7 @@ class Gallery:
 
     def _tiles(self):
         """Yield (number, rect) of the scenes that show."""
-        px, page = self._toy.display.theme.px, self._page()
+        px, page = self._display.theme.px, self._page()
         columns, rows, (wide, high) = self._grid()
         shown = min(rows, -(-len(self.shelf) // columns))
         page.y += max(0, (page.height - shown * (high + px(GAP))) // 2)
@@ -260,5 +259,5 @@ class Gallery:
             )
 
     def _picture_rect(self, tile):
-        px = self._toy.display.theme.px
+        px = self._display.theme.px
         return pygame.Rect(tile.x + px(5), tile.y + px(5), tile.width - 2 * px(5), tile.height - px(NAME) - px(5))

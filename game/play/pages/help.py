@@ -1,4 +1,4 @@
-"""The page of keys: all of them on one screen with the text as large as asked for, or nearly; else it scrolls."""
+"""The page of keys: on one screen, with its text as large as set or a little smaller; otherwise it scrolls."""
 
 from itertools import product
 from typing import NamedTuple
@@ -9,6 +9,7 @@ from game.play.controls.keymap import GROUPS
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.input import key_name
+from game.play.ui.scroll import thumb
 from game.world.sand import parameters
 
 PAD = 22  # pixels at scale 1: around the page, and between columns
@@ -23,11 +24,11 @@ HINTS = "Wheel, arrows and Page keys scroll    F1 closes", "Wheel scrolls    F1 
 SHADE = 150  # of what lies behind the page: 0 is black, 255 as it is
 
 
-class Help:
-    """The page, if it is open. It takes the place of everything else in the window; the sand goes on behind it."""
+class HelpPage:
+    """The page, which fills the window while it is open. The sand goes on behind it."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, display):
+        self._display = display
         self.shown = False
         self._page = None  # the Page, once it is laid out
         self._top = 0  # the first line that shows
@@ -38,7 +39,7 @@ class Help:
         self.shown = not self.shown
         self._top, self._drawn = 0, None
         if not self.shown:
-            self._toy.display.lay_out_anew()
+            self._display.lay_out_anew()
 
     def forget(self):
         """Draw everything next time."""
@@ -46,10 +47,10 @@ class Help:
 
     def handle_events(self, events, now_s, mouse_pos):
         """Close at a click, scroll if there is more than shows, and leave other keys to their commands."""
-        return [event for event in events if not (self.shown and self._hear(event))]
+        return [event for event in events if not (self.shown and self._handle(event))]
 
-    def _hear(self, event):
-        """Obey an event; return whether it was meant for the page."""
+    def _handle(self, event):
+        """Handle an event; return whether it was meant for the page."""
         if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
             self.toggle()
         elif event.type == pygame.MOUSEWHEEL:
@@ -76,7 +77,7 @@ class Help:
         if (size, self._top) == self._drawn:
             return []
         if not self._drawn or size != self._drawn[0]:
-            self._page = lay_out(self._toy.display.theme, pygame.Rect((0, 0), size))
+            self._page = lay_out(self._display.theme, pygame.Rect((0, 0), size))
             self._scroll(0)
             surface.fill((SHADE,) * 3, special_flags=pygame.BLEND_MULT)
         self._drawn = size, self._top
@@ -107,13 +108,12 @@ class Page(NamedTuple):
     def thumb(self, top):
         """Return the strokes of the scroll bar's thumb with the line `top` at the top, where not all lines show."""
         px, room = self.theme.px, self.room
-        place = pygame.Rect(room.right + px(PAD) // 2, room.y + room.height * top // self.lines, px(4), 0)
-        place.height = room.height * self.seen // self.lines
-        return [(draw_list.box, place, look.EDGE, px(2))] if self.more else []
+        track = pygame.Rect(room.right + px(PAD) // 2, room.y, px(4), room.height)
+        return thumb(self.theme, track, top, self.seen, self.lines)
 
 
-class _Print(NamedTuple):
-    """A way to set the page: in a text size, of a theme, in columns of groups."""
+class _Setting(NamedTuple):
+    """One way to set the page in type: theme, text size, and groups in columns."""
 
     theme: look.Theme
     size: int  # of the text
@@ -185,14 +185,14 @@ def _column(way, column, place, meanings):
 
 
 def _fitting(theme, window):
-    """Return the largest print that fits into the window as a whole or, if it were too small, in its width alone."""
+    """Return the largest setting that fits the window or, if its text were too small, only the window's width."""
     low = parameters.UI_SCALE.low
     for least, whole in ((max(SMALLEST * theme.scale, low), True), (low, False)):
         scales = [theme.scale]
         while scales[-1] > least:
             scales.append(max(scales[-1] * SMALLER, least))
-        scale = scales[_first(lambda scale, whole=whole: _print_in(_at(theme, scale), window, whole)[1], scales)]
-        way, fits = _print_in(_at(theme, scale), window, whole)
+        scale = scales[_first(lambda scale, whole=whole: _set_in(_at(theme, scale), window, whole)[1], scales)]
+        way, fits = _set_in(_at(theme, scale), window, whole)
         if fits:
             break
     return way
@@ -211,16 +211,16 @@ def _first(fits, scales):
     return low
 
 
-def _print_in(theme, window, whole):
-    """Return (the largest print of a theme that fits into the window, or the last one tried; whether it fits).
+def _set_in(theme, window, whole):
+    """Return (the largest setting in a theme that fits the window, or the last one tried; whether it fits).
 
-    whole: all of it is to be seen at once; else it is only not to be too wide, in as many columns as that allows.
+    whole: all of it is to be seen at once; otherwise only its width must fit, in as many columns as possible.
     """
     every, room, sizes = groups(), _room(theme, window), (look.BODY, look.SMALL)
     counts = range(1, min(MOST_COLUMNS, len(every)) + 1)
     ways = product(sizes, counts) if whole else ((size, count) for count in reversed(counts) for size in sizes)
     for size, count in ways:
-        way = _Print(theme, size, _columns(every, count))
+        way = _Setting(theme, size, _columns(every, count))
         if way.width <= room.width and (not whole or way.lines * way.line <= room.height):
             return way, True
     return way, False

@@ -1,9 +1,10 @@
-"""The shelf of saved scenes, the newest first: the pictures of those in sight, read beside the frames."""
+"""The shelf of saved scenes, the newest first; pictures in view are read beside the frames."""
 
 from functools import partial
 
 import pygame
 
+from game.play.pages.shipped_scenes import fitting
 from game.play.ui.input import key_name
 from game.world.files.atomic import FileError, moved, trouble
 from game.world.files.paths import folder_of
@@ -34,12 +35,14 @@ class SavedScenes:
 
     title = "Saved"
     waiting = "no picture"
-    empty = f"Nothing is saved: {key_name('Ctrl+S')} saves the scene as it is. Photos can be dropped on the window."
+    empty = (
+        f"Nothing is saved yet. {key_name('Ctrl+S')} saves the scene as it is. You can also drop a photo on the window."
+    )
     first = 0
     lets_go = True  # scenes can be put away
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, files, background, notices):
+        self._files, self._background, self._notices = files, background, notices
         self.paths = []
         self._pictures = {}  # path: a surface, or None where there is no picture in it; the last seen last
         self._sprites = {}  # number: (size, surface) as drawn last
@@ -50,7 +53,7 @@ class SavedScenes:
         return len(self.paths)
 
     def begin(self):
-        """Look what is saved now."""
+        """List what is saved now."""
         self.paths, self._pictures, self._sprites, self._in_sight = saved_scenes(), {}, {}, []
 
     def name(self, number):
@@ -67,7 +70,7 @@ class SavedScenes:
 
     def open(self, number):
         """Play a scene."""
-        self._toy.files.open(self.paths[number])
+        self._files.open(self.paths[number])
 
     def put_away(self, number):
         """Move a scene to a folder beside the others, where it is not lost, and say so."""
@@ -78,9 +81,9 @@ class SavedScenes:
             while not moved(path, target):
                 target = target.with_stem(f"{target.stem} again")
         except OSError as error:
-            self._toy.notices.say(trouble(path, "cannot be put away", error), trouble=True)
+            self._notices.say(trouble(path, "cannot be put away", error), trouble=True)
             return
-        self._toy.notices.say(f"Moved to {target}")
+        self._notices.say(f"Moved to {target}")
         self.begin()
 
     def run(self, now_s, rooms):
@@ -101,7 +104,7 @@ class SavedScenes:
         missing = [path for path in self._in_sight if path not in self._pictures][:BATCH]
         if missing and not self._reading:
             self._reading = True
-            self._toy.background.do(partial(_thumbnails, missing), self._take)
+            self._background.do(partial(_thumbnails, missing), self._take)
 
     def _take(self, found):
         self._reading = False
@@ -131,6 +134,6 @@ def _thumbnails(paths):
 
 def _fitting(sprite, room):
     """Return the sprite as large as `room` allows."""
-    scale = min(room[0] / sprite.get_width(), room[1] / sprite.get_height())
-    size = max(1, round(sprite.get_width() * scale)), max(1, round(sprite.get_height() * scale))
-    return pygame.transform.smoothscale(sprite, size) if scale < 1 else pygame.transform.scale(sprite, size)
+    size = fitting(sprite.get_size(), room)
+    shrinks = size < sprite.get_size()
+    return pygame.transform.smoothscale(sprite, size) if shrinks else pygame.transform.scale(sprite, size)

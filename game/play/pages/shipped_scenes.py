@@ -1,4 +1,4 @@
-"""The shelf of shipped scenes: each a small world that runs while it is looked at, within a part of the frame."""
+"""The shelf of shipped scenes: each runs as a small world while in view, within a part of the frame's time."""
 
 import time
 from functools import partial
@@ -17,16 +17,17 @@ LIFE_S = 60.0  # then a small world starts again
 LONGEST_STEP_S = 0.1  # of a small world's time, however long it was not looked at
 
 
-class LiveScenes:
-    """The shipped scenes, made beside the frames when they are looked at first."""
+class ShippedScenes:
+    """The shipped scenes; their small worlds are made beside the frames when the shelf is first opened."""
 
     title = "Scenes"
     waiting = "…"
     empty = ""
     lets_go = False
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, sessions, display, background, is_open):
+        """is_open(): whether anyone may look at them; else no more of them are made."""
+        self._sessions, self._display, self._background, self._is_open = sessions, display, background, is_open
         self._names = ()
         self._titles = {}
         self._lives = {}  # name: Life
@@ -39,7 +40,7 @@ class LiveScenes:
     @property
     def first(self):
         """The number of the scene to begin with: the one that is played."""
-        name = self._toy.sessions.now.scene.name
+        name = self._sessions.now.scene.name
         return self._names.index(name) if name in self._names else 0
 
     def begin(self):
@@ -47,7 +48,7 @@ class LiveScenes:
         if not self._names:
             self._names = scene_names()
             self._titles = {name: scene_title(name) for name in self._names}
-        colours = self._toy.display.colours
+        colours = self._display.colours
         if any(life.colours is not colours for life in self._lives.values()):
             self._lives = {}
         self._make_next()
@@ -68,7 +69,7 @@ class LiveScenes:
 
     def open(self, number):
         """Play a scene."""
-        self._toy.sessions.load(self._names[number])
+        self._sessions.load(self._names[number])
 
     def run(self, now_s, rooms):
         """Let small worlds run, given {number: (width, height) of its room}; return the numbers whose picture moved."""
@@ -87,11 +88,9 @@ class LiveScenes:
     def _make_next(self):
         """Make the next small world beside the frames."""
         name = next((name for name in self._names if name not in self._lives), None)
-        if name is not None and self._toy.gallery.shown and not self._making:
+        if name is not None and self._is_open() and not self._making:
             self._making = True
-            self._toy.background.do(
-                partial(Life, name, self._toy.display.colours), partial(self._take, name), self._give_up
-            )
+            self._background.do(partial(Life, name, self._display.colours), partial(self._take, name), self._give_up)
 
     def _take(self, name, life):
         self._making, self._lives[name] = False, life
@@ -135,7 +134,7 @@ class Life:
         advance(self._world, self.scene.rule, int(self._due))
         self._due -= int(self._due)
         changed = self._painter.draw(self._world, self._pixels)
-        size = _fitting(self._surface.get_size(), room)
+        size = fitting(self._surface.get_size(), room)
         if not changed and self.sprite and self.sprite.get_size() == size:
             return False
         self.sprite = pygame.transform.smoothscale(self._surface, size)
@@ -146,7 +145,7 @@ class Life:
         self._now_s, self._age_s, self._due = None, 0.0, 0.0
 
 
-def _fitting(size, room):
+def fitting(size, room):
     """Return the size as large as `room` allows."""
     scale = min(room[0] / size[0], room[1] / size[1])
     return max(1, round(size[0] * scale)), max(1, round(size[1] * scale))

@@ -1,4 +1,4 @@
-"""The friction: the panel's section of how sand moves, from p to all seven probabilities."""
+"""The panel's section of friction: how sand moves, from p to all seven probabilities."""
 
 from dataclasses import replace
 
@@ -18,48 +18,45 @@ BLOCKS = {  # what each probability decides: corners a b c d before and after
     "fall_full_right": ("#o#.", "#.#o"),
 }
 SCHEDULE_TIP = (
-    "The order in which partitions into blocks take turns. Margolus: two partitions, piles grow one side first. "
-    "Paper: four, grains alternate sides. Balanced: the same four reordered, grains fall evenly and twice as fast."
+    "The order in which the partitions into blocks take turns. Margolus: two partitions; piles grow on one side first. "
+    "Paper: four; grains alternate sides. Balanced: the same four in another order; grains fall evenly, twice as fast."
 )
-LEAN_TIP = "To which side grains topple rather, and the order in which blocks take turns"
-SEVEN_TIP = "How likely sand moves, for each thing that can happen in a block of 2×2 cells"
+LEAN_TIP = "Which side grains favour, and the order in which blocks take turns"
+SEVEN_TIP = "How likely each event in a block of 2×2 cells is"
 
 
-class Friction:
-    """The rows, and what only they remember."""
+class FrictionSection:
+    """The sliders of a session's rule; a drag of one is one act."""
 
-    def __init__(self):
-        self.all_seven = False  # whether the fold with all probabilities is open
-        self.lean_open = False  # whether that of bias and schedule is
+    def __init__(self, sessions):
+        self._sessions = sessions
+        self._seven_open = self._lean_open = False  # the folds of all probabilities, and of bias and schedule
         self._turning = False  # a slider is being dragged, and what it sets is one act
         self._rule = None  # the rule that _p and _bias stand for
         self._p = self._bias = 0.0
 
-    def lay_out(self, ui, toy):
-        """Show the rows and obey what was done to them."""
-        rule, usual = toy.sessions.now.rule, toy.sessions.now.scene.rule
+    def lay_out(self, ui):
+        """Show the section and do what it was told."""
+        rule, usual = self._sessions.now.rule, self._sessions.now.scene.rule
         if rule is not self._rule:
             self._rule, self._p, self._bias = rule, rule.p, rule.bias
         ui.heading("Friction")
-        tip = "How readily grains topple. Less is more friction: tall, thin piles."
-        p, bias, schedule = (
-            ui.slider("p", parameters.P, self._p, default=usual.p, marks=PAPER_P, tip=tip),
-            self._bias,
-            None,
-        )
-        self.lean_open = ui.fold("Bias and schedule", self.lean_open, tip=LEAN_TIP)
-        if self.lean_open:
+        tip = "How readily grains topple. A lower p is more friction: piles are steeper."
+        p = ui.slider("p", parameters.P, self._p, default=usual.p, marks=PAPER_P, tip=tip)
+        bias, schedule = self._bias, rule.schedule
+        self._lean_open = ui.fold("Bias and schedule", self._lean_open, tip=LEAN_TIP)
+        if self._lean_open:
             bias, schedule = self._lean(ui, rule, usual)
-        changed = self._changed(rule, p, bias, schedule or rule.schedule)
+        changed = self._changed(rule, p, bias, schedule)
         changed = self._seven(ui, changed, usual)
         held = ui.focus.held is not None
         if changed is not rule:
-            toy.sessions.do(SetRule(changed), join=self._turning)
+            self._sessions.do(SetRule(changed), join=self._turning)
         self._turning = held and (self._turning or changed is not rule)
 
     def _lean(self, ui, rule, usual):
         """Show bias and schedule; return them as they are to be."""
-        tip = "Leans the toppling: below 0 to the left, above 0 to the right."
+        tip = "Makes grains favour the left side (below 0) or the right side (above 0)."
         bias = ui.slider("Bias", parameters.BIAS, self._bias, default=usual.bias, marks=(0.0,), tip=tip)
         names = list(SCHEDULES)
         now = names.index(rule.schedule)
@@ -77,8 +74,8 @@ class Friction:
         return changed
 
     def _seven(self, ui, rule, usual):
-        self.all_seven = ui.fold("All seven probabilities", self.all_seven, tip=SEVEN_TIP)
-        if not self.all_seven:
+        self._seven_open = ui.fold("All seven probabilities", self._seven_open, tip=SEVEN_TIP)
+        if not self._seven_open:
             return rule
         for each in parameters.PROBABILITIES:
             before, after = BLOCKS[each.name]

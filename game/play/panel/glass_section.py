@@ -1,4 +1,4 @@
-"""The glass's part of the panel: an hourglass changed under one's eyes, with how long it will run."""
+"""The panel's section of the glass: an hourglass changed under one's eyes, with how long it will run."""
 
 from dataclasses import replace
 
@@ -18,33 +18,35 @@ SLIDERS = (
 UNKNOWN = "…"
 
 
-class GlassFold:
-    """The rows, which can be folded away."""
+class GlassSection:
+    """The rows, which can be folded away; a drag of a slider is one act."""
 
-    def __init__(self):
-        self.open = False
+    def __init__(self, sessions, planner, notices):
+        self._sessions, self._planner, self._notices = sessions, planner, notices
+        self._open = False
         self._turning = False  # a slider is being dragged, and what it does is one act
         self._refills = False  # the glass of this drag has been filled anew
 
-    def lay_out(self, ui, toy):
-        """Show the rows and obey what was done to them."""
-        self.open = ui.fold("Glass", self.open, tip="Makes an hourglass of any shape, and pours the sand into it")
-        if not self.open:
+    def lay_out(self, ui):
+        """Show the section and do what it was told."""
+        self._open = ui.fold("Glass", self._open, tip="Makes an hourglass of any shape, with the sand in it")
+        if not self._open:
             return
-        glass = toy.sessions.now.scene.glass
+        glass = self._sessions.now.scene.glass
         if glass is None:
-            ui.text("This scene is not one glass. Here it can be made into one, with its sand in it.", dim=True)
+            ui.text("This scene is not a glass. You can turn it into one; the sand stays in it.", dim=True)
             if ui.button("Make a glass"):
-                self._reshape(toy, self._made_of(toy.sessions.now.world.shape))
+                self._reshape(_glass_on(self._sessions.now.world.shape))
             return
         changed = self._slid(ui, glass)
         held = ui.focus.held is not None
         if changed != glass:
-            self._reshape(toy, changed, changed.fill != glass.fill, join=self._turning)
+            self._reshape(changed, changed.fill != glass.fill, join=self._turning)
         self._turning = held and (self._turning or changed != glass)
-        if ui.button("Fill it anew", tip="Takes all sand out and fills the upper bulb"):
-            self._reshape(toy, glass, refill=True)
-        ui.text(running_time(toy), dim=True)
+        if ui.button("Refill", tip="Removes all sand and fills the upper bulb"):
+            self._reshape(glass, refill=True)
+        run_out = self._planner.ask() or self._planner.newest
+        ui.text(running_time(self._sessions.now, run_out), dim=True)
 
     def _slid(self, ui, glass):
         """Return the glass as the sliders have it."""
@@ -58,36 +60,37 @@ class GlassFold:
                 glass = replace(glass, **{each.name: turned})
         return glass
 
-    def _made_of(self, shape):
-        """Return a glass on a lattice as large as a slider can make it."""
-        height, width = shape
-        part = min(max(HEIGHT.low / height, 1.0), HEIGHT.high / height)
-        return glass_within(min(max(round(part * width), SMALLEST), SIDE.high), round(part * height))
-
-    def _reshape(self, toy, glass, refill=False, join=False):
+    def _reshape(self, glass, refill=False, join=False):
         """Put a glass in place; one whose bulb cannot hold the sand is filled anew, for nothing would flow in it.
 
         So are those that follow in the same drag: most of the sand is gone.
         """
-        grains = toy.sessions.now.world.grains
+        sessions = self._sessions
+        grains = sessions.now.world.grains
         self._refills = refill or (join and self._refills)
         if not self._refills and grains > glass.inside().sum() // 2:
             self._refills = True
-            words = f"A bulb of this glass does not hold {grains:,} grains: it was filled anew."
-            toy.notices.say(words, holds=lambda: toy.sessions.now.scene.glass == glass)
-        toy.sessions.do(Reshape(glass, self._refills), join)
+            words = f"This glass is too small for {grains:,} grains: it was filled anew."
+            self._notices.say(words, holds=lambda: sessions.now.scene.glass == glass)
+        sessions.do(Reshape(glass, self._refills), join)
 
 
-def running_time(toy):
-    """Return how long the glass runs, in words."""
-    ending, session = toy.planner.ask() or toy.planner.newest, toy.sessions.now
-    if ending is None:
+def _glass_on(shape):
+    """Return a glass on a lattice of a shape, as large as a slider can make it."""
+    height, width = shape
+    part = min(max(HEIGHT.low / height, 1.0), HEIGHT.high / height)
+    return glass_within(min(max(round(part * width), SMALLEST), SIDE.high), round(part * height))
+
+
+def running_time(session, run_out):
+    """Return how long a session's glass runs, in words; run_out: None while that is not known."""
+    if run_out is None:
         return UNKNOWN
-    if ending.endless:
-        return "Runs for longer than can be foreseen."
-    left = ending.at - session.now
-    if left <= 0 and not ending.has_neck:
+    if run_out.endless:
+        return "Runs for longer than can be computed."
+    left = run_out.at - session.now
+    if left <= 0 and not run_out.has_neck:
         return "All sand is at rest, and there is no neck."
     if left <= 0:
-        return "The sand above the neck is stuck." if ending.left else "No sand is above the neck."
+        return "The sand above the neck is stuck." if run_out.left else "No sand is above the neck."
     return f"Runs for {spell(left / session.clock.speed)} more at {session.clock.speed:,.0f} iterations a second."

@@ -1,40 +1,48 @@
-"""The past's part of the panel: recordings, replays, and how much of the past is kept at hand."""
+"""The panel's section of recording: GIFs, replays, and how much of the past is kept at hand."""
 
 from game.play.storage.files import demos
 from game.world.sand import parameters
 
 
-class PastFold:
+class RecordingSection:
     """The rows, which can be folded away."""
 
-    def __init__(self):
-        self.open = False
+    def __init__(self, sessions, recorder, files, time_commands):
+        self._sessions, self._recorder, self._files, self._time = sessions, recorder, files, time_commands
         self._demos = demos()
+        self._open = False
 
-    def lay_out(self, ui, toy):
-        """Show the rows and obey what was done to them."""
-        self.open = ui.fold("Recording and past", self.open, tip="How undo works, recording, replays, memory")
-        if not self.open:
+    def lay_out(self, ui):
+        """Show the section and do what it was told."""
+        self._open = ui.fold(
+            "Recording and past", self._open, tip="What undo does, GIFs, replays, and the memory for the past"
+        )
+        if not self._open:
             return
-        commands = toy.commands
-        tip = "Undo also goes back to the moment before the act, instead of leaving the time as it is"
-        commands.time.undo_goes_back = ui.toggle("Undo goes back in time", commands.time.undo_goes_back, tip=tip)
+        sessions, recorder = self._sessions, self._recorder
+        tip = "Undo returns to the moment before the action, instead of keeping the time"
+        self._time.undo_goes_back = ui.toggle("Undo goes back in time", self._time.undo_goes_back, tip=tip)
         ui.row(2)
-        label = "End recording" if toy.recorder.going_on else "Record"
-        if ui.button(label, key="G", name="Record", tip="Records what follows as a GIF"):
-            commands.files.record()
-        if ui.button("Last 10 s", key="Shift+G", tip="Records the last ten seconds as a GIF; the sand goes on"):
-            commands.files.record_past()
-        self._demo(ui, toy)
-        if toy.sessions.can_leave and ui.button("Back to my sand", tip="Leaves this replay"):
-            toy.sessions.leave()
-        tip = "MB for snapshots of the past; with less of them time runs back more slowly, the sand is the same"
-        memory = ui.slider("Memory", parameters.MEMORY, int(toy.sessions.now.memory_mb), log=True, tip=tip)
-        if memory != toy.sessions.now.memory_mb:
-            toy.sessions.now.limit_memory(round(memory))
+        label = "End recording" if recorder.going_on else "Record"
+        if ui.button(label, key="G", name="Record", tip="Records what follows as a GIF, until you end it"):
+            recorder.toggle()
+        if ui.button("Last 10 s", key="Shift+G", tip="Saves the last ten seconds as a GIF"):
+            recorder.record_past()
+        self._lay_out_demos(ui)
+        if sessions.can_leave and ui.button("Back to my sand", tip="Leaves this replay and returns to your own sand"):
+            sessions.leave()
+        tip = "Memory for snapshots of the past. With less of it, going back takes longer; the sand is the same"
+        memory = ui.slider("Memory", parameters.MEMORY, int(sessions.now.memory_mb), log=True, tip=tip, spell=_spell)
+        if memory != sessions.now.memory_mb:
+            sessions.now.limit_memory(round(memory))
 
-    def _demo(self, ui, toy):
+    def _lay_out_demos(self, ui):
         titles = ("Play a replay …", *(name.replace("-", " ").capitalize() for name in self._demos))
-        chosen = ui.choice("Demo", titles, 0, tip="A recorded session; yours waits behind it")
+        chosen = ui.choice("Demo", titles, 0, tip="Plays a recorded session; yours waits behind it")
         if chosen:
-            toy.files.play_demo(self._demos[chosen - 1])
+            self._files.play_demo(self._demos[chosen - 1])
+
+
+def _spell(megabytes):
+    """Return an amount of memory with its unit."""
+    return f"{megabytes} MB" if megabytes < 1024 else f"{megabytes / 1024:.4g} GB"

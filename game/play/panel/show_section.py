@@ -1,4 +1,4 @@
-"""The outlook: the panel's part for what can be seen of the sand besides itself."""
+"""The panel's section of what is shown besides the sand: forecast, comparison, plots and figures."""
 
 from dataclasses import replace
 
@@ -6,39 +6,65 @@ from game.world.sand import parameters
 from game.world.sessions.comparison import Comparison
 
 
-def show(ui, toy):
-    """Show the switches of the forecast, the plots and the figures, and obey them."""
-    forecasting, plots = toy.forecasting, toy.plots
-    ui.heading("Outlook")
-    tip = "How likely sand is in each cell some iterations from now, from many runs of the world as it is  (H)"
-    if ui.toggle("Forecast", forecasting.shown, tip=tip) != forecasting.shown:
-        forecasting.toggle()
-    if forecasting.shown:
-        forecasting.ahead = ui.slider("Ahead", parameters.AHEAD, forecasting.ahead, log=True, tip="Iterations from now")
-    comparing = isinstance(toy.sessions.now, Comparison)
-    tip = "The sand as it is under Margolus, Paper and Balanced; what is done to one is done to all"
-    if ui.button("Back to one schedule" if comparing else "Three schedules", key="Shift+H", name="Compare", tip=tip):
-        toy.commands.sand.compare()
-    if comparing:
-        ui.text(
-            "Each world keeps its own schedule. Replays, saving, plots and forecast follow the bright title.",
-            dim=True,
+class ShowSection:
+    """The switches, and what only an instrument that is shown needs."""
+
+    def __init__(self, sessions, forecasting, plots, stats_card, sand_commands):
+        self._sessions, self._forecasting, self._plots = sessions, forecasting, plots
+        self._stats_card, self._sand = stats_card, sand_commands
+
+    def lay_out(self, ui):
+        """Show the section and do what it was told."""
+        ui.heading("Measure and compare")
+        self._lay_out_forecast(ui)
+        self._lay_out_comparison(ui)
+        self._lay_out_plots(ui)
+        tip = (
+            "Shows frame times, the iteration, the account of the grains and memory; so does pointing at the line below"
         )
-    tip = "Flow and filling at a row, the pile below it, frame times, and the audit of the grains  (L)"
-    if ui.toggle("Plots", plots.shown, tip=tip) != plots.shown:
-        toy.commands.view.toggle_plots()
-    if plots.shown:
-        height = toy.sessions.now.world.shape[0]
-        tip = "The row that parts above from below: the neck of a glass, else the middle, unless you set it"
-        row = ui.slider(
-            "At row", replace(parameters.ROW, high=height), plots.measured_row, default=plots.own_row, tip=tip
-        )
-        if row != plots.measured_row:
-            plots.measured_row = row
+        if ui.toggle("Figures", self._stats_card.kept, tip=tip) != self._stats_card.kept:
+            self._stats_card.toggle()
+
+    def _lay_out_forecast(self, ui):
+        forecasting = self._forecasting
+        tip = "How likely each cell is to hold sand some iterations from now, from many runs  (H)"
+        if ui.toggle("Forecast", forecasting.shown, tip=tip) != forecasting.shown:
+            forecasting.toggle()
+        if forecasting.shown:
+            forecasting.ahead = ui.slider(
+                "Ahead", parameters.AHEAD, forecasting.ahead, log=True, tip="How many iterations from now"
+            )
+
+    def _lay_out_comparison(self, ui):
+        comparing = isinstance(self._sessions.now, Comparison)
+        tip = "Runs this sand under Margolus, Paper and Balanced at once; what you do to one is done to all"
         if ui.button(
-            "Save as CSV", key="Shift+L", tip="Saves what was measured since the plots were opened, with a header"
+            "Back to one schedule" if comparing else "Three schedules", key="Shift+H", name="Compare", tip=tip
         ):
-            plots.save()
-    tip = "Frames, iterations, the books of the grains and memory; so does pointing at the line under the sand"
-    if ui.toggle("Figures", toy.stats_card.kept, tip=tip) != toy.stats_card.kept:
-        toy.stats_card.toggle()
+            self._sand.compare()
+        if comparing:
+            ui.text(
+                "Each world keeps its own schedule. Saving, replays, plots and the forecast follow the bright title.",
+                dim=True,
+            )
+
+    def _lay_out_plots(self, ui):
+        plots = self._plots
+        tip = "Flow past a row, grains above and below it, the pile, frame times, and the account of the grains  (L)"
+        if ui.toggle("Plots", plots.shown, tip=tip) != plots.shown:
+            plots.toggle()
+        if plots.shown:
+            height = self._sessions.now.world.shape[0]
+            tip = "The row at which flow is measured: the neck of the glass, or else the middle, unless you move it"
+            row = ui.slider(
+                "At row",
+                replace(parameters.ROW, high=height),
+                plots.measured_row,
+                default=plots.own_row,
+                tip=tip,
+                spell="{:,}".format,
+            )
+            if row != plots.measured_row:
+                plots.measured_row = row
+            if ui.button("Save as CSV", key="Shift+L", tip="Saves what was measured since the plots were opened"):
+                plots.save()

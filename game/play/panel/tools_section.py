@@ -1,46 +1,49 @@
-"""The toolbox: the panel's section of what the pointer does to the sand, and with what."""
+"""The panel's section of tools: what the pointer does to the sand, and with what."""
 
 from game.play.controls.brush import MATERIALS, TOOLS
-from game.play.panel import dyes
 from game.world.sand import parameters
+from game.world.sand.sand_colours import COLOURS, DYES
 from game.world.sessions.action import SHAPES
 
 TIPS = {  # what each tool does
-    "brush": "Paints where the pointer goes, and goes on pouring where it rests  (D)",
-    "line": "Draws a straight line, as thick as the brush, from press to release; Shift: in steps of 45°  (N)",
-    "rectangle": "Draws a rectangle from corner to corner; Shift: a square  (U)",
-    "ellipse": "Draws an ellipse from corner to corner; Shift: a circle  (O)",
-    "fill": "Fills what is joined to the cell under the pointer and is like it  (V)",
-    "spray": "Strews single grains, denser the longer it rests  (A)",
-    "pick": "Takes what is under the pointer to paint with  (I)",
-    "replace": "Paints over only what is like the cell it began on  (Y)",
-    "tap": "Places a tap, as wide as the brush, that pours sand of the chosen colour and never runs dry; "
-    "a tap or a drain that is there is moved  (J)",
-    "drain": "Places a drain, as wide as the brush, that swallows the sand that comes to it  (Z)",
+    "brush": "Paints where the pointer goes, and keeps pouring where it rests  (D)",
+    "line": "Draws a straight line, as thick as the brush; with Shift in steps of 45°  (N)",
+    "rectangle": "Draws a rectangle from corner to corner; with Shift a square  (U)",
+    "ellipse": "Draws an ellipse from corner to corner; with Shift a circle  (O)",
+    "fill": "Fills all that is joined to the cell under the pointer and like it  (V)",
+    "spray": "Scatters single grains, denser the longer it rests  (A)",
+    "pick": "Picks what is under the pointer, to paint with it  (I)",
+    "replace": "Paints over only what is like the cell it started on  (Y)",
+    "tap": "Places a tap, as wide as the brush, that pours sand of the chosen colour for ever; "
+    "drag a tap or a drain to move it  (J)",
+    "drain": "Places a drain, as wide as the brush, that swallows the sand that reaches it  (Z)",
 }
 SHORT = {"rectangle": "Box"}  # so that four buttons fit a row
 
 
-class Toolbox:
-    """The section, and whether what is seldom changed of the brush is folded away."""
+class ToolsSection:
+    """The tools and the brush; what is seldom changed of it can be folded away."""
 
-    def __init__(self):
-        self.open = False
+    def __init__(self, brush):
+        self._brush = brush
+        self._open = False
 
-    def lay_out(self, ui, toy):
-        """Show the section, and obey what was done in it."""
-        brush = toy.brush
+    def lay_out(self, ui):
+        """Show the section and do what it was told."""
+        brush = self._brush
         ui.heading("Tools")
         _show_tools(ui, brush)
         labels = [name.capitalize() for name in MATERIALS]
-        tip = "What the left button paints with; the right one erases  (S, W, X)"
+        tip = "What the left button paints; the right one erases  (S, W, X)"
         brush.material = MATERIALS[ui.segmented("Paint", labels, MATERIALS.index(brush.material), tip=tip)]
-        dyes.show(ui, toy)
+        _show_colours(ui, brush)
         tip = "Width of the brush, in cells  (1-9)"
         brush.diameter = ui.slider("Size", parameters.BRUSH, brush.diameter, log=True, tip=tip)
         _show_special(ui, brush)
-        self.open = ui.fold("Shape of the brush", self.open, tip="Its outline, and whether it paints sand over walls")
-        if self.open:
+        self._open = ui.fold(
+            "Shape of the brush", self._open, tip="Round, square or diamond, and whether sand replaces walls"
+        )
+        if self._open:
             _show_shape(ui, brush)
 
 
@@ -52,10 +55,21 @@ def _show_tools(ui, brush):
         brush.choose(chosen)
 
 
+def _show_colours(ui, brush):
+    """Show a swatch for each colour of sand, and one for the rainbow."""
+    plain = [ui.theme.colours.swatch(number) for number in range(len(COLOURS))]
+    fields = [*((colour,) for colour in plain), tuple(plain)]
+    tips = [*(f"Sand in {name}; it also recolours the sand it is painted over  (,)" for name in COLOURS)]
+    tips.append("Sand in all colours, which change as time passes  (,)")
+    chosen = DYES[ui.swatches("Colour", fields, DYES.index(brush.colour), tips)]
+    if chosen != brush.colour:
+        brush.dip(chosen)
+
+
 def _show_special(ui, brush):
     """Show what only the tool in hand has."""
     if brush.tool in ("rectangle", "ellipse"):
-        tip = "Draws only the edge, as thick as the brush, and leaves what is inside as it is  (Shift+U, Shift+O)"
+        tip = "Draws only the outline, as thick as the brush  (Shift+U, Shift+O)"
         brush.edge_only = ui.toggle("Outline only", brush.edge_only, tip=tip)
     if brush.tool == "tap":
         tip = "Iterations from one grain to the next, in each cell of a new tap"
@@ -67,5 +81,5 @@ def _show_shape(ui, brush):
     labels = [shape.capitalize() for shape in shapes]
     tip = "Shape of the brush  (Shift+D)"
     brush.shape = shapes[ui.segmented("Shape", labels, shapes.index(brush.shape), tip=tip)]
-    tip = "Lets sand replace walls; without it they stay"
+    tip = "Lets sand replace walls; otherwise walls stay"
     brush.over_walls = ui.toggle("Paint sand over walls", brush.over_walls, tip=tip)

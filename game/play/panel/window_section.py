@@ -1,19 +1,47 @@
-"""The controls of how the window looks: theme, size, smooth streams, reduced motion. What is chosen is a setting."""
+"""The panel's section of the window: its sound, size and looks. What is chosen is a setting."""
 
 SIZES = 0.75, 1.0, 1.25, 1.5, 2.0, 2.5, 3.0
 
 
-def show(ui, settings):
-    """Show the controls."""
-    themes = settings.rows["theme"].options
-    names = tuple(name.replace("-", " ").capitalize() for name in themes)
-    tip = "Colours of the window and the sand; the sand moves the same"
-    settings["theme"] = themes[ui.choice("Theme", names, themes.index(settings["theme"]), tip=tip)]
-    sizes = sorted({*SIZES, settings["ui_scale"]})
-    tip = "Size of this panel and of all text, as far as the window has room for it; the sand gets what is left"
-    words = tuple(f"{100 * size:.0f} %" for size in sizes)
-    settings["ui_scale"] = sizes[ui.choice("Scale", words, sizes.index(settings["ui_scale"]), tip=tip)]
-    tip = "Shows falling sand as the mean of all that happens within a frame; the sand moves the same"
-    settings["smooth_streams"] = ui.toggle("Smooth streams", settings["smooth_streams"], tip=tip)
-    tip = "Turns the glass over at once, and leaves out glows and fades"
-    settings["reduced_motion"] = ui.toggle("Reduced motion", settings["reduced_motion"], tip=tip)
+class WindowSection:
+    """The switches of sound and looks."""
+
+    def __init__(self, settings, hiss, commands):
+        self._settings, self._hiss, self._commands = settings, hiss, commands
+
+    def lay_out(self, ui):
+        """Show the section and do what it was told."""
+        ui.heading("Window")
+        self._lay_out_sound(ui)
+        ui.row(2)
+        if ui.button("Full screen", key="F11", tip="Fills the screen, or returns to a window"):
+            self._commands.toggle_fullscreen()
+        if ui.button("Keys", key="F1", tip="Shows every key on one page"):
+            self._commands.toggle_help()
+        self._lay_out_looks(ui)
+
+    def _lay_out_sound(self, ui):
+        settings = self._settings
+        tip = "The sand hisses: the more of it moves, the louder  (M)"
+        if ui.toggle("Sound", settings["sound"], tip=tip) != settings["sound"]:
+            self._hiss.toggle()
+        if settings["sound"]:
+            tip = "How loud the sand is"
+            settings["volume"] = ui.slider(
+                "Volume", settings.rows["volume"], settings["volume"], tip=tip, spell="{:.0%}".format
+            )
+
+    def _lay_out_looks(self, ui):
+        settings = self._settings
+        themes = settings.rows["theme"].options
+        names = tuple(name.replace("-", " ").capitalize() for name in themes)
+        tip = "Colours of the window and the sand"
+        settings["theme"] = themes[ui.choice("Theme", names, themes.index(settings["theme"]), tip=tip)]
+        sizes = sorted({*SIZES, settings["ui_scale"]})
+        tip = "Size of this panel and of all text, as far as there is room"
+        words = tuple(f"{100 * size:.0f} %" for size in sizes)
+        settings["ui_scale"] = sizes[ui.choice("Scale", words, sizes.index(settings["ui_scale"]), tip=tip)]
+        tip = "Draws falling sand as the mean of what happens within a frame; the sand itself is the same"
+        settings["smooth_streams"] = ui.toggle("Smooth streams", settings["smooth_streams"], tip=tip)
+        tip = "Turns the glass over at once; no glows and fades"
+        settings["reduced_motion"] = ui.toggle("Reduced motion", settings["reduced_motion"], tip=tip)

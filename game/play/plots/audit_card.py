@@ -1,8 +1,8 @@
-"""The books: the audit's card, with the sums, and in a world of coloured sand a row for each colour.
+"""The audit's card: the account of the grains, as sums and, for coloured sand, with a row for each colour.
 
-A row reads as the sum that it is: start + painted - erased + poured - swallowed = now. What is nothing for all colours
-has no column. Where there is little room, what came is one column and what went another, great numbers are rounded, and
-at last only what there is now is told.
+A row is a sum: start + painted - erased + poured - swallowed = now. A column of zeros is left out. Where there is too
+little room for that, one column tells what came and one what went; then large numbers are rounded; and in the end only
+the grains that are there now are shown.
 """
 
 from itertools import product
@@ -10,15 +10,14 @@ from typing import NamedTuple
 
 import pygame
 
-from game.play.panel.dyes import swatch
 from game.play.plots import charts
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 
 SWATCH = 9  # pixels at scale 1
 GAP = 5  # from one column to the next
-WIDE = 210  # of a row with all that belongs to it
-CLOSEST = 0.9  # of their usual height, that lines may have where there is little room
+WIDE = 210  # a row with all its columns
+CLOSEST = 0.9  # of their usual height: lines where there is little room
 ALL = "all"  # the row of the sums
 
 
@@ -32,7 +31,7 @@ class Column(NamedTuple):
 
 
 class Table(NamedTuple):
-    """How the books are set: with the sums above, in how many columns of rows, and as which columns."""
+    """A layout of the card: with or without the sums, rows in one column or two, and which numbers of a row."""
 
     sums: bool
     across: int
@@ -46,12 +45,12 @@ class Table(NamedTuple):
 
 
 def card(theme, rect, account, counted):
-    """Return the strokes of the card of an GrainAccount in `rect`, where so many grains of each colour were counted."""
+    """Return the strokes of the card of a GrainAccount in `rect`, where so many grains of each colour were counted."""
     grains, balanced = sum(counted), counted == account.expected_by_colour
     strokes, room = charts.card(theme, rect, "Audit", "every grain is there" if balanced else "")
     if not balanced:
         head = (room.x, rect.y + theme.px(charts.PAD // 2), room.width, theme.px(charts.HEAD))
-        said = f"but {grains:,}" if grains != account.expected else "but in other colours"
+        said = f"but {grains:,} are there" if grains != account.expected else "but in other colours"
         strokes.append((draw_list.words, head, said, look.SMALL, look.ACCENT, 1))
     if not account.coloured:
         return strokes + _sums(theme, room, account, len(account.lines))
@@ -94,7 +93,7 @@ def _sums(theme, room, account, lines):
 def _fitting(theme, room, account):
     """Return the fullest Table that fits the room, or the smallest there is."""
     high = CLOSEST * theme.line_height(look.SMALL)
-    for (sums, across, columns), spell in product(WAYS, (_exact, _rounded)):
+    for (sums, across, columns), spell in product(LAYOUTS, (_exact, _rounded)):
         table = Table(sums, across, tuple(columns(account)), spell)
         if table.lines(account) * high <= room.height and _is_wide_enough(theme, room, table):
             return table
@@ -129,7 +128,7 @@ def _rows(theme, room, account, table):
         for down, number in enumerate(range(across * deep, min((across + 1) * deep, len(account.rows))), 1):
             side = min(theme.px(SWATCH), high - 2)
             box = (left, top + down * high + (high - side) // 2, side, side)
-            strokes.append((draw_list.box, box, swatch(theme.colours, account.rows[number][0]), theme.px(2)))
+            strokes.append((draw_list.box, box, theme.colours.swatch(account.rows[number][0]), theme.px(2)))
             texts = [table.spell(each.sign, each.numbers[number]) for each in table.columns]
             strokes += _line([cell.move(0, down * high) for cell in cells], texts)
     if not table.sums:
@@ -150,15 +149,15 @@ def _line(cells, texts):
 
 
 def _all_columns(account):
-    """Return the columns that are not all nothing, each by its own name."""
+    """Return the columns that are not all zeros."""
     words = ("start", ""), ("painted", "+"), ("erased", "-"), ("poured", "+"), ("swallowed", "-"), ("now", "=")
     numbers = list(zip(*account.rows, strict=True))[1:]
     found = [Column(*word, each, sum(each)) for word, each in zip(words, numbers, strict=True)]
     return [each for each in found if each.total or each.word in ("start", "now")]
 
 
-def _two_ways(account):
-    """Return what there was, what came, what went, and what there is."""
+def _came_and_went(account):
+    """Return the columns of what there was, what came, what went, and what there is."""
     _, start, painted, erased, poured, swallowed, now = zip(*account.rows, strict=True)
     came = tuple(map(sum, zip(painted, poured, strict=True)))
     went = tuple(map(sum, zip(erased, swallowed, strict=True)))
@@ -167,23 +166,23 @@ def _two_ways(account):
 
 
 def _now_alone(account):
-    return _two_ways(account)[-1:]
+    return _came_and_went(account)[-1:]
 
 
-WAYS = (  # to set the books, the fullest first: with the sums, in so many columns of rows, as which columns
+LAYOUTS = (  # the fullest first: with the sums?, columns of rows, numbers of a row
     (True, 1, _all_columns),
-    (True, 1, _two_ways),
+    (True, 1, _came_and_went),
     (False, 1, _all_columns),
-    (False, 1, _two_ways),
+    (False, 1, _came_and_went),
     (False, 2, _all_columns),
-    (False, 2, _two_ways),
+    (False, 2, _came_and_went),
     (False, 1, _now_alone),
     (False, 2, _now_alone),
 )
 
 
 def _exact(sign, number):
-    """Return a number in a sum; nothing that came or went is left out."""
+    """Return a number in a sum; a zero that came or went is left out."""
     return f"{sign}{number:,}" if number or sign not in ("+", "-") else ""
 
 

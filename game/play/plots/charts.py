@@ -1,4 +1,4 @@
-"""Charts: strokes for curves and profiles in a card, in the manner of ui.paint."""
+"""Charts: strokes for curves and profiles in a card, as in ui.draw_list."""
 
 import math
 
@@ -13,7 +13,7 @@ ROUND = 1, 1.5, 2, 3, 4, 5, 6, 8, 10  # the figures at which a scale may end, ti
 
 
 def curve(surface, theme, rect, points, colour):
-    """Draw a line through points, given in pixels from the rect's upper left corner; one of them is a dot."""
+    """Draw a line through points, in pixels from the rect's upper left corner; a single point is a dot."""
     at = [(rect[0] + x, rect[1] + y) for x, y in points]
     if len(at) > 1:
         pygame.draw.lines(surface, theme.rgb(colour), False, at, max(1, theme.px(1)))

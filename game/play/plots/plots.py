@@ -1,4 +1,4 @@
-"""The plots: what a session's sand does, drawn small and live beside it, and saved as a table of numbers."""
+"""The plots: what a session's sand does, drawn live beside it, and saved as tables of numbers."""
 
 import math
 import time
@@ -16,74 +16,79 @@ from game.world.sessions.measurements import COLUMNS, PROFILE_COLUMNS, Measureme
 from game.world.sessions.session import BUDGET_NS
 
 SAMPLE_S = 0.25
-SHARE = 50  # sampling may take one part in so many of the time: it comes less often where the lattice is huge
+SHARE = 50  # sampling may take one part in 50 of the time; on a huge lattice it is done less often
 LONGEST_S = 5.0  # … but not for longer than this
 GAP = 6  # pixels at scale 1 between cards
 CARDS = 5
 LEAST_CARD = 144  # pixels at scale 1: width of a card whose title and value have room
-MOST_BOOKS = 0.44  # of the cards' length, that the books of coloured sand may take
+MOST_AUDIT = 0.44  # of the cards' length, that the audit of coloured sand may take
 
 
 class Plots:
-    """The cards, if they are open; closed they measure nothing."""
+    """The cards. Closed, they measure nothing."""
 
-    def __init__(self, toy):
-        self._toy = toy
+    def __init__(self, sessions, display, frame_stats, background, notices):
+        self._sessions, self._display, self._frame_stats = sessions, display, frame_stats
+        self._background, self._notices = background, notices
         self._lacks_room = False
         self._set_row = None  # (scene, row): where the player wants to measure in that scene
-        self._watch = self._drawing = self._drawn = None
+        self.measurements = None  # since the plots were opened
+        self._drawing = self._drawn = None
         self._since_s = self._next_s = 0.0
         self._slowest_ns = 0
 
     @property
     def shown(self):
         """Whether they are open."""
-        return self._toy.display.plots_shown
+        return self._display.plots_shown
 
     def toggle(self):
         """Open the plots, or close them."""
-        self._toy.display.plots_shown = not self.shown
-        self._watch = None
-        self._toy.display.lay_out_anew()
+        self._display.plots_shown = not self.shown
+        self.measurements = None
+        self._display.lay_out_anew()
 
     @property
     def own_row(self):
         """The row that the scene itself asks for: the middle of its glass, or of the scene."""
-        neck, height = self._toy.sessions.now.scene.neck, self._toy.sessions.now.world.shape[0]
+        neck, height = self._sessions.now.scene.neck, self._sessions.now.world.shape[0]
         return height // 2 if neck is None or neck >= height else neck
 
     @property
     def measured_row(self):
-        """The row that parts above from below: the scene's, or what was set in its place."""
+        """The row at which flow is measured: the scene's, or the one that was set in its place."""
         scene, row = self._set_row or (None, 0)
-        rows = self._toy.sessions.now.world.shape[0]  # a quarter turn may have left fewer than there were
-        return min(row, rows) if scene is self._toy.sessions.now.scene else self.own_row
+        rows = self._sessions.now.world.shape[0]  # a quarter turn may have left fewer than there were
+        return min(row, rows) if scene is self._sessions.now.scene else self.own_row
 
     @measured_row.setter
     def measured_row(self, row):
-        self._set_row = self._toy.sessions.now.scene, row
+        self._set_row = self._sessions.now.scene, row
 
     def update(self, now_s):
-        """Measure if it is time to; say where there is no room any more."""
+        """Measure if it is time to; say so when there is no more room."""
         self._look_for_room()
         if not self.shown:
             return
-        self._slowest_ns = max(self._slowest_ns, self._toy.frame_stats.frame_ns)
-        fits = self._watch and (self._watch.session, self._watch.row) == (self._toy.sessions.now, self.measured_row)
-        fits = fits and len(self._watch.heights) == self._toy.sessions.now.world.shape[1]
+        self._slowest_ns = max(self._slowest_ns, self._frame_stats.frame_ns)
+        fits = self.measurements and (self.measurements.session, self.measurements.row) == (
+            self._sessions.now,
+            self.measured_row,
+        )
+        fits = fits and len(self.measurements.heights) == self._sessions.now.world.shape[1]
         if fits and now_s < self._next_s:
             return
         begin = time.perf_counter()
         if not fits:
-            self._watch, self._since_s = Measurements(self._toy.sessions.now, self.measured_row), now_s
-        self._watch.follow(now_s - self._since_s, self._slowest_ns / 1e6)
+            self.measurements, self._since_s = Measurements(self._sessions.now, self.measured_row), now_s
+        self.measurements.follow(now_s - self._since_s, self._slowest_ns / 1e6)
         self._next_s = now_s + min(max(SAMPLE_S, SHARE * (time.perf_counter() - begin)), LONGEST_S)
         self._slowest_ns, self._drawing = 0, None
 
     def _look_for_room(self):
-        lacked, self._lacks_room = self._lacks_room, self.shown and self._toy.display.layout.plots is None
+        lacked, self._lacks_room = self._lacks_room, self.shown and self._display.layout.plots is None
         if self._lacks_room and not lacked:
-            self._toy.notices.say("The window is too small for the plots.", holds=lambda: self._lacks_room)
+            self._notices.say("The window is too small for the plots.", holds=lambda: self._lacks_room)
 
     def forget(self):
         """Draw the cards anew next time."""
@@ -91,36 +96,36 @@ class Plots:
 
     def draw(self, surface):
         """Draw the cards if they look different; return the rects that changed."""
-        area = self._toy.display.layout.plots
-        if not area or not self._watch:
+        area = self._display.layout.plots
+        if not area or not self.measurements:
             return []
         if self._drawing is None:
             self._drawing = self._strokes(area)
         if self._drawing == self._drawn:
             return []
         self._drawn = self._drawing
-        draw_list.draw(surface, self._toy.display.theme, self._drawing)
+        draw_list.draw(surface, self._display.theme, self._drawing)
         return [area]
 
     def save(self):
-        """Save what was measured so far: the story as one table, the pile's profile as another."""
-        if not self._watch:
-            self._toy.notices.say("There is nothing to save yet: L opens the plots.")
+        """Save what was measured so far: its history as one table, the pile's profile as another."""
+        if not self.measurements:
+            self._notices.say("Nothing has been measured yet. L opens the plots.")
             return
-        name, rows = self._toy.sessions.now.scene.name, self._watch.rows()
-        profile = list(enumerate(self._watch.heights.tolist()))
+        name, rows = self._sessions.now.scene.name, self.measurements.rows()
+        profile = list(enumerate(self.measurements.heights.tolist()))
 
         def work():
             path = save_new("measures", name, ".csv", csv(COLUMNS, rows))
             save_as_new(numbered(path.with_name(f"{path.stem} profile.csv")), csv(PROFILE_COLUMNS, profile))
             return path
 
-        self._toy.background.do(work, lambda path: self._toy.notices.say(f"Saved as {path}, the profile beside it"))
+        self._background.do(work, lambda path: self._notices.say(f"Saved as {path}, with the profile beside it"))
 
     # --- the cards ---
 
     def _strokes(self, area):
-        px = self._toy.display.theme.px
+        px = self._display.theme.px
         cards = (self._flow, self._filling, self._pile, self._frames, self._audit)
         strokes = [(draw_list.fill, tuple(area), look.SUNKEN)]
         tall = area.height > area.width
@@ -134,25 +139,25 @@ class Plots:
         return strokes
 
     def _edges(self, length, tall):
-        """Return where the cards begin and end along the area; the books of coloured sand may take more than others."""
-        account, books = self._toy.sessions.now.account, length // CARDS
+        """Return where the cards begin and end along the area; the audit of coloured sand may take more than others."""
+        account, audit = self._sessions.now.account, length // CARDS
         if account.coloured:
-            theme, gap = self._toy.display.theme, self._toy.display.theme.px(GAP)
-            most = round(MOST_BOOKS * length)
+            theme, gap = self._display.theme, self._display.theme.px(GAP)
+            most = round(MOST_AUDIT * length)
             if not tall:
                 most = min(most, length - (CARDS - 1) * theme.px(LEAST_CARD))
             wanted = (
-                heights(theme, account) if tall else widths(theme, account, self._toy.display.layout.plots.height - gap)
+                heights(theme, account) if tall else widths(theme, account, self._display.layout.plots.height - gap)
             )
-            books = max(books, next((side + gap for side in wanted if side + gap <= most), most))
-        rest = length - books
+            audit = max(audit, next((side + gap for side in wanted if side + gap <= most), most))
+        rest = length - audit
         return [*(rest * number // (CARDS - 1) for number in range(CARDS)), length]
 
     def _flow(self, rect):
-        flows = self._watch.flows()
+        flows = self.measurements.flows()
         known = [each for each in flows if not math.isnan(each)]
         now = "" if not flows or math.isnan(flows[-1]) else f"{flows[-1]:.3g} grains/it."
-        theme, title = self._toy.display.theme, f"Flow at row {self._watch.row:,}"
+        theme, title = self._display.theme, f"Flow at row {self.measurements.row:,}"
         if theme.width(f"{title} {now}", look.SMALL) > rect.width - 2 * theme.px(charts.PAD):
             title = "Flow"
         strokes, room = charts.card(theme, rect, title, now)
@@ -164,9 +169,9 @@ class Plots:
         return strokes + foot + figures + lines
 
     def _filling(self, rect):
-        samples, last = self._watch.samples, self._watch.samples[-1]
-        strokes, room = charts.card(self._toy.display.theme, rect, "Grains above", f"{last.above:,}")
-        below = (room.x, room.y, room.width, self._toy.display.theme.px(charts.HEAD))
+        samples, last = self.measurements.samples, self.measurements.samples[-1]
+        strokes, room = charts.card(self._display.theme, rect, "Grains above", f"{last.above:,}")
+        below = (room.x, room.y, room.width, self._display.theme.px(charts.HEAD))
         strokes.append((draw_list.words, below, "below", look.SMALL, look.RING, 0))
         strokes.append((draw_list.words, below, f"{last.below:,}", look.SMALL, look.RING, 1))
         room, foot = self._with_foot(pygame.Rect(room.x, below[1] + below[3], room.width, room.height - below[3]))
@@ -176,40 +181,40 @@ class Plots:
         return strokes + foot + figures + charts.curves(room, self._nows(), series, 0, most)
 
     def _pile(self, rect):
-        last = self._watch.samples[-1]
+        last = self.measurements.samples[-1]
         slope = "" if math.isnan(last.slope) else f", {last.slope:.0f}°"
-        strokes, room = charts.card(self._toy.display.theme, rect, "Pile below", f"{last.height:,} high{slope}")
-        deep = self._toy.sessions.now.world.shape[0] - self._watch.row
+        strokes, room = charts.card(self._display.theme, rect, "Pile below", f"{last.height:,} high{slope}")
+        deep = self._sessions.now.world.shape[0] - self.measurements.row
         high = charts.round_up(max(1, min(deep, 2 * last.height)))
         figures, room = self._scale(room, 0, high)
-        return [*strokes, *figures, charts.profile(room, self._watch.heights, high, look.ACCENT)]
+        return [*strokes, *figures, charts.profile(room, self.measurements.heights, high, look.ACCENT)]
 
     def _frames(self, rect):
-        samples = self._watch.samples
-        strokes, room = charts.card(self._toy.display.theme, rect, "Slowest frame", _spell_ms(samples[-1].frame_ms))
+        samples = self.measurements.samples
+        strokes, room = charts.card(self._display.theme, rect, "Slowest frame", _spell_ms(samples[-1].frame_ms))
         numbers, budget = [each.frame_ms for each in samples], BUDGET_NS / 1e6
         high = charts.round_up(max(2 * budget, *numbers))
         figures, room = self._scale(room, 0, high, [(budget, f"{budget:g} ms")])
         level = room.bottom - 1 - round(budget / high * (room.height - 1))
-        strokes.append((draw_list.fill, (room.x, level, room.width, self._toy.display.theme.px(1)), look.EDGE))
+        strokes.append((draw_list.fill, (room.x, level, room.width, self._display.theme.px(1)), look.EDGE))
         lines = charts.curves(room, [each.seconds for each in samples], [(numbers, look.DIM)], 0, high)
         return strokes + figures + lines
 
     def _audit(self, rect):
-        session = self._toy.sessions.now
-        return card(self._toy.display.theme, rect, session.account, session.world.grains_by_colour)
+        session = self._sessions.now
+        return card(self._display.theme, rect, session.account, session.world.grains_by_colour)
 
     def _nows(self):
-        return [each.now for each in self._watch.samples]
+        return [each.now for each in self.measurements.samples]
 
     def _scale(self, room, low, high, marks=()):
         """Return (figures at the left of `room`, what is left of it): those of `marks`, then the ends and 0."""
         ends = [(each, charts.figure(each)) for each in dict.fromkeys((high, low, 0))]
-        return charts.scale(self._toy.display.theme, room, [*marks, *ends], low, high)
+        return charts.scale(self._display.theme, room, [*marks, *ends], low, high)
 
     def _with_foot(self, room):
         """Return (the room above a line with the iterations at both ends, the line's strokes)."""
-        nows, high = self._nows(), self._toy.display.theme.line_height(look.SMALL)
+        nows, high = self._nows(), self._display.theme.line_height(look.SMALL)
         if room.height < 3 * high:
             return room, []
         foot = (room.x, room.bottom - high, room.width, high)
@@ -219,5 +224,5 @@ class Plots:
 
 
 def _spell_ms(ms):
-    """Return a time in five signs or six, however long it is."""
+    """Return a time in at most six characters."""
     return f"{ms:.1f} ms" if ms < 99.95 else f"{ms:.0f} ms" if ms < 999.5 else f"{ms / 1e3:.1f} s"

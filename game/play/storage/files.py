@@ -50,7 +50,7 @@ class Files:
         session = Session.retold(recording)
         self._journals.begin(session, recording.entries)
         self._sessions.open(session)
-        self._notices.say(recording.problem or f"Replay: {name}. Paint at any time and it is yours.")
+        self._notices.say(recording.problem or f"Replay: {name}. Paint at any time to make it yours.")
 
     def _take(self, found):
         what, name = found

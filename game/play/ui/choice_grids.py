@@ -1,4 +1,4 @@
-"""The grid: one choice of several, as buttons in rows; a control of a panel as those in `controls` are."""
+"""The grids: one choice of several, as buttons in rows or as colours in one row."""
 
 import pygame
 
@@ -7,24 +7,16 @@ from game.play.ui import theme as look
 from game.play.ui.controls import GAP, ROW
 
 INSET = 6  # from the edge of a button to its word
+BETWEEN = 3  # pixels at scale 1 between two swatches
 
 
-def grid(ui, name, options, index, columns, tips=()):
+def grid(ui, name, options, index, columns, tips):
     """Show options in rows of `columns`; return the index of the chosen one. The tip is that of the one pointed at."""
     px = ui.theme.px
     widest = max(ui.theme.width(option, look.BODY) for option in options) + 2 * px(INSET)
     columns = max(1, min(columns, ui.width // widest))
-    rows = -(-len(options) // columns)
-    rect = ui.place(px(ROW) * rows, px(GAP))
-    parts = tuple(_part(rect, place, columns, px(ROW)) for place in range(len(options)))
-    steps = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_UP: -columns, pygame.K_DOWN: columns}
-    steps |= {pygame.K_HOME: -len(options), pygame.K_END: len(options)}
-    pointed = ui.focus.pointed_part(name)
-    tip = tips[index if pointed is None else pointed] if tips else ""
-    me = ui.claim(name, rect, parts=parts, keys=frozenset(steps), tip=tip)
-    for act in me.acts:
-        index = _chosen(act, steps, index, len(options))
-    ui.stroke(draw_list.box, rect, look.SUNKEN, px(4))
+    me, parts, index, pointed = _claim(ui, name, columns, columns, index, tips)
+    ui.stroke(draw_list.box, parts[0].unionall(parts[1:]), look.SUNKEN, px(4))
     for number, (part, option) in enumerate(zip(parts, options, strict=True)):
         if number == index:
             ui.stroke(draw_list.box, part.inflate(-2 * px(2), -2 * px(2)), look.EDGE if me.hover else look.HOVER, px(3))
@@ -33,15 +25,47 @@ def grid(ui, name, options, index, columns, tips=()):
     return index
 
 
+def swatches(ui, name, fields, index, tips):
+    """Show fields in a row, each the tuple of RGB colours it is striped with; return the index of the chosen one."""
+    px = ui.theme.px
+    me, parts, index, pointed = _claim(ui, name, len(fields), 1, index, tips)
+    for number, (part, stripes) in enumerate(zip(parts, fields, strict=True)):
+        chosen, hover = number == index, me.hover and number == pointed
+        frame = part.inflate(-px(BETWEEN), -px(BETWEEN))
+        ui.stroke(draw_list.box, frame, look.HANDLE if chosen else look.EDGE if hover else look.SUNKEN, px(4))
+        inner = frame.inflate(-2 * px(2), -2 * px(2))
+        for place, colour in enumerate(stripes):
+            top, bottom = (inner.y + inner.height * edge // len(stripes) for edge in (place, place + 1))
+            ui.stroke(draw_list.fill, pygame.Rect(inner.x, top, inner.width, bottom - top), colour)
+    return index
+
+
+def _claim(ui, name, columns, down, index, tips):
+    """Claim a part for each tip, in rows of `columns`; return (claim, parts, chosen index, index pointed at or None).
+
+    down: how far the arrow down goes.
+    """
+    count, height = len(tips), ui.theme.px(ROW)
+    rect = ui.place(height * -(-count // columns), ui.theme.px(GAP))
+    parts = tuple(_part(rect, place, columns, height) for place in range(count))
+    steps = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_UP: -down, pygame.K_DOWN: down}
+    steps |= {pygame.K_HOME: -count, pygame.K_END: count}
+    pointed = ui.focus.pointed_part(name)
+    me = ui.claim(name, rect, parts=parts, keys=frozenset(steps), tip=tips[index if pointed is None else pointed])
+    for event in me.events:
+        index = _chosen(event, steps, index, count)
+    return me, parts, index, pointed
+
+
 def _part(rect, place, columns, height):
     row, column = divmod(place, columns)
     left, right = (rect.x + rect.width * edge // columns for edge in (column, column + 1))
     return pygame.Rect(left, rect.y + row * height, right - left, height)
 
 
-def _chosen(act, steps, index, count):
-    if act.kind == "key":
-        goal = index + steps[act.key]
-        far = act.key in (pygame.K_HOME, pygame.K_END)
+def _chosen(event, steps, index, count):
+    if event.kind == "key":
+        goal = index + steps[event.key]
+        far = event.key in (pygame.K_HOME, pygame.K_END)
         return min(max(goal, 0), count - 1) if far or 0 <= goal < count else index
-    return act.part if act.kind == "press" and act.part is not None else index
+    return event.part if event.kind == "press" and event.part is not None else index

@@ -1,6 +1,6 @@
-"""The single controls of a panel: each lays itself out, hears its acts, leaves its strokes, and returns its new value.
+"""The single controls of a panel: each takes its place, handles its events, leaves its strokes, and returns its value.
 
-They are the methods of widgets.Ui, whose place() gives them room and whose claim() gives them their acts.
+They are the methods of widgets.Ui, whose place() gives them room and whose claim() gives them their events.
 `name` tells a control from others with the same label, or keeps its focus while its label changes.
 """
 
@@ -54,8 +54,8 @@ def button(ui, label, key="", tip="", name=None, enabled=True):
 def pushes(me, rect):
     """Count how often a control was clicked (pressed and released inside `rect`) or pushed by key."""
     return sum(
-        (act.kind == "key" and act.key in PUSH_KEYS) or (act.kind == "release" and rect.collidepoint(act.pos))
-        for act in me.acts
+        (event.kind == "key" and event.key in PUSH_KEYS) or (event.kind == "release" and rect.collidepoint(event.pos))
+        for event in me.events
     )
 
 
@@ -96,14 +96,14 @@ def toggle(ui, label, on, tip="", name=None):
 
 
 def fold(ui, label, is_open, tip="", name=None):
-    """Show the header of a part that can be folded away; return whether it is open."""
+    """Show the header of a section that folds away; return whether it is open."""
     px = ui.theme.px
     rect = ui.place(px(ROW), 0)
     me = ui.claim(name or label, ui.bleed(rect), keys=PUSH_KEYS | {pygame.K_LEFT, pygame.K_RIGHT}, tip=tip)
     is_open = bool(is_open) != bool(pushes(me, ui.bleed(rect)) % 2)
-    for act in me.acts:
-        if act.kind == "key" and act.key in (pygame.K_LEFT, pygame.K_RIGHT):
-            is_open = act.key == pygame.K_RIGHT
+    for event in me.events:
+        if event.kind == "key" and event.key in (pygame.K_LEFT, pygame.K_RIGHT):
+            is_open = event.key == pygame.K_RIGHT
     size = px(10)
     chevron = pygame.Rect(rect.x, rect.centery - size // 2, size, size)
     points = draw_list.CHEVRON_DOWN if is_open else draw_list.CHEVRON_RIGHT
@@ -127,8 +127,8 @@ def segmented(ui, label, options, index, tip="", name=None):
     edges = [bar.x + bar.width * i // len(options) for i in range(len(options) + 1)]
     parts = [pygame.Rect(x, bar.y, right - x, bar.height) for x, right in itertools.pairwise(edges)]
     me = ui.claim(name or label, rect, ring=bar, parts=tuple(parts), keys=END_KEYS | set(SEGMENT_KEYS), tip=tip)
-    for act in me.acts:
-        index = _segment(act, parts, index)
+    for event in me.events:
+        index = _segment(event, parts, index)
     ui.stroke(draw_list.words, words, label, look.BODY, look.TEXT, 0)
     ui.stroke(draw_list.box, bar, look.SUNKEN, px(4))
     for i, (part, option) in enumerate(zip(parts, options, strict=True)):
@@ -139,9 +139,9 @@ def segmented(ui, label, options, index, tip="", name=None):
     return index
 
 
-def _segment(act, parts, index):
-    if act.kind == "key" and act.key in END_KEYS:
-        return 0 if act.key == pygame.K_HOME else len(parts) - 1
-    if act.kind == "key":
-        return min(max(index + SEGMENT_KEYS[act.key], 0), len(parts) - 1)
-    return act.part if act.kind == "press" and act.part is not None else index
+def _segment(event, parts, index):
+    if event.kind == "key" and event.key in END_KEYS:
+        return 0 if event.key == pygame.K_HOME else len(parts) - 1
+    if event.kind == "key":
+        return min(max(index + SEGMENT_KEYS[event.key], 0), len(parts) - 1)
+    return event.part if event.kind == "press" and event.part is not None else index

@@ -6,6 +6,7 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.controls import GAP, INSET, PUSH_KEYS, ROW, body
 from game.play.ui.input import ENTER
+from game.play.ui.scroll import thumb
 
 LIST_ROW = 26
 MOVE_KEYS = {pygame.K_UP: -1, pygame.K_DOWN: 1, pygame.K_PAGEUP: -8, pygame.K_PAGEDOWN: 8}
@@ -73,10 +74,8 @@ class Popup:
                 yield draw_list.box, place, look.ACCENT, px(4)
             colour = look.SUNKEN if index == self.lit else look.BRIGHT_ACCENT if index == self.chosen else look.TEXT
             yield draw_list.words, place.inflate(-2 * px(INSET), 0), self.options[index], look.BODY, colour, 0
-        if self.shown < len(self.options):
-            height = self.rect.height * self.shown // len(self.options)
-            top = self.rect.y + self.rect.height * self.first // len(self.options)
-            yield draw_list.box, pygame.Rect(self.rect.right - px(5), top, px(3), height), look.FAINT, px(2)
+        track = pygame.Rect(self.rect.right - px(5), self.rect.y, px(3), self.rect.height)
+        yield from thumb(theme, track, self.first, self.shown, len(self.options), look.FAINT)
 
 
 def choice(ui, label, options, index, tip="", name=None):
@@ -84,8 +83,8 @@ def choice(ui, label, options, index, tip="", name=None):
     px = ui.theme.px
     rect = ui.place(px(ROW), px(GAP))
     me = ui.claim(name or label, rect, keys=OPEN_KEYS, tip=tip)
-    for act in me.acts:
-        index = _hear(ui.focus, me.name, act, options, index)
+    for event in me.events:
+        index = _handle(ui.focus, me.name, event, options, index)
     popup = ui.focus.popup
     if popup and popup.name == me.name:
         popup.box, popup.options = rect, options
@@ -101,38 +100,38 @@ def choice(ui, label, options, index, tip="", name=None):
     return index
 
 
-def _hear(focus, name, act, options, index):
-    """Open, move in, or close the list; return the index chosen after the act."""
+def _handle(focus, name, event, options, index):
+    """Open, move in, or close the list; return the index chosen after the event."""
     popup = focus.popup if focus.popup and focus.popup.name == name else None
     if popup is None:
-        if act.kind == "press" or act.kind == "key":
+        if event.kind == "press" or event.kind == "key":
             focus.popup = Popup(name, index)
             focus.popup.options = options
         return index
     chosen = None
-    if act.kind == "key":
-        chosen = _key(popup, act)
-    elif act.kind == "wheel":
-        popup.turn(-round(act.notches) or (-1 if act.notches > 0 else 1))
-    elif popup.row_at(act.pos) is not None:
-        popup.lit = popup.row_at(act.pos)
-        chosen = popup.lit if act.kind == "release" else None
+    if event.kind == "key":
+        chosen = _key(popup, event)
+    elif event.kind == "wheel":
+        popup.turn(-round(event.notches) or (-1 if event.notches > 0 else 1))
+    elif popup.row_at(event.pos) is not None:
+        popup.lit = popup.row_at(event.pos)
+        chosen = popup.lit if event.kind == "release" else None
     if chosen is None:
         return index
     focus.popup = None
     return chosen
 
 
-def _key(popup, act):
+def _key(popup, event):
     """Move the light; return the option it is on if the key takes it."""
-    if act.key == ENTER or act.key == pygame.K_SPACE:
+    if event.key == ENTER or event.key == pygame.K_SPACE:
         return popup.lit
-    if act.key in MOVE_KEYS:
-        popup.light(popup.lit + MOVE_KEYS[act.key])
-    elif act.key in (pygame.K_HOME, pygame.K_END):
-        popup.light(0 if act.key == pygame.K_HOME else len(popup.options) - 1)
-    elif act.text:
-        popup.light(_next_with(popup.options, act.text, popup.lit))
+    if event.key in MOVE_KEYS:
+        popup.light(popup.lit + MOVE_KEYS[event.key])
+    elif event.key in (pygame.K_HOME, pygame.K_END):
+        popup.light(0 if event.key == pygame.K_HOME else len(popup.options) - 1)
+    elif event.text:
+        popup.light(_next_with(popup.options, event.text, popup.lit))
     return None
 
 

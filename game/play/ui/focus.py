@@ -1,4 +1,4 @@
-"""Which control has the pointer and which the keyboard, and what each of them hears of a frame's events.
+"""Which control has the pointer and which the keyboard, and which of a frame's events each of them gets.
 
 A person aims at what was drawn last, so events are aimed by the slots of the last frame.
 Places are in the column's own pixels: from the upper left of the panel's content, however far it is scrolled.
@@ -8,7 +8,7 @@ import math
 
 import pygame
 
-from game.play.ui.input import ENTER, Act
+from game.play.ui.input import ENTER, ControlEvent
 from game.play.ui.scroll import Scroll
 from game.play.ui.tooltips import Rest
 
@@ -22,7 +22,7 @@ _OTHER_MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
 
 
 class Focus:
-    """Keeps pointer, focus and scroll between frames; hands each control its acts."""
+    """Keeps pointer, focus and scroll between frames; hands each control its events."""
 
     def __init__(self):
         self.name = None  # of the control with the keyboard
@@ -30,7 +30,7 @@ class Focus:
         self.held = None  # the control the mouse button went down on, until it goes up
         self.hover = None
         self.slots = {}
-        self.acts = {}
+        self.events = {}
         self.popup = None
         self.reveal = False  # the focused control is to be scrolled into view
         self.scroll = Scroll()
@@ -45,11 +45,11 @@ class Focus:
 
     def begin(self, view, events, now_s, pointer):
         """Give the events to their controls and return those that are not the panel's."""
-        self._view, self._now_s, self._busy, self.acts = view, now_s, False, {}
+        self._view, self._now_s, self._busy, self.events = view, now_s, False, {}
         self.scroll.view = view.height
         if pointer is not None:
             self._pointer = pointer
-        rest = [event for event in events if not self._hear(event)]
+        rest = [event for event in events if not self._handle(event)]
         over = None if self._theirs or self.popup else self._control_under(self._pointer)
         self.hover = self.held or over
         rests_on = self.hover if self._pointing else self.name if self.by_keyboard else None
@@ -109,8 +109,8 @@ class Focus:
 
     # --- events ---
 
-    def _hear(self, event):
-        hears = {
+    def _handle(self, event):
+        handle = {
             pygame.MOUSEBUTTONDOWN: self._button_down,
             pygame.MOUSEBUTTONUP: self._button_up,
             pygame.MOUSEMOTION: self._motion,
@@ -119,7 +119,7 @@ class Focus:
             pygame.WINDOWLEAVE: self._leave,
             pygame.WINDOWFOCUSLOST: self._lose,
         }.get(event.type)
-        return bool(hears and hears(event))
+        return bool(handle and handle(event))
 
     def _button_down(self, event):
         inside = self._view.collidepoint(event.pos)
@@ -142,7 +142,7 @@ class Focus:
         popup, place = self.popup, self.place(pos)
         if popup and popup.rect.collidepoint(place):
             self.held = popup.name
-            self._tell(popup.name, Act("drag", place))
+            self._tell(popup.name, ControlEvent("drag", place))
             return
         self._drop()
         if popup:  # a press beside an open list only closes it
@@ -152,7 +152,7 @@ class Focus:
             self.held = self.name = under
             part = next((i for i, each in enumerate(self.slots[self.held].parts) if each.collidepoint(place)), None)
             self._grip = part, self._is_second_press((self.held, part), pos)
-            self._tell(self.held, Act("press", place, *self._grip))
+            self._tell(self.held, ControlEvent("press", place, *self._grip))
 
     def _is_second_press(self, aim, pos):
         last_aim, last_pos, last_s = self._last_press
@@ -172,9 +172,9 @@ class Focus:
         if self.held == BAR:
             self.scroll.drag(event.pos[1] - self._view.y)
         elif self.held:
-            self._tell(self.held, Act("drag", self.place(event.pos), *self._grip))
+            self._tell(self.held, ControlEvent("drag", self.place(event.pos), *self._grip))
         elif self.popup and self.popup.rect.collidepoint(self.place(event.pos)):
-            self._tell(self.popup.name, Act("drag", self.place(event.pos)))
+            self._tell(self.popup.name, ControlEvent("drag", self.place(event.pos)))
         return self.owns(event.pos)
 
     def _button_up(self, event):
@@ -184,7 +184,7 @@ class Focus:
         self._ours.discard(event.button)
         if event.button == _LEFT_BUTTON:
             if self.held and self.held != BAR:
-                self._tell(self.held, Act("release", self.place(event.pos), *self._grip))
+                self._tell(self.held, ControlEvent("release", self.place(event.pos), *self._grip))
             self.held = None
         return True
 
@@ -193,7 +193,7 @@ class Focus:
             return False
         notches = getattr(event, "precise_y", event.y)
         if self.popup and self.popup.rect.collidepoint(self.place(self._pointer)):
-            self._tell(self.popup.name, Act("wheel", notches=notches))
+            self._tell(self.popup.name, ControlEvent("wheel", notches=notches))
         else:
             self.popup = None
             self.scroll.to(self.scroll.offset - notches * self.notch)
@@ -212,7 +212,7 @@ class Focus:
             return self._escape()
         if self._acts_on_focused(key, text):
             self._busy = self.reveal = True
-            self._tell(self.name, Act("key", key=key, shift=bool(event.mod & pygame.KMOD_SHIFT), text=text))
+            self._tell(self.name, ControlEvent("key", key=key, shift=bool(event.mod & pygame.KMOD_SHIFT), text=text))
         elif key in (pygame.K_PAGEUP, pygame.K_PAGEDOWN) and self.scroll.limit:
             page = self._view.height - self.notch
             self.scroll.to(self.scroll.offset + (page if key == pygame.K_PAGEDOWN else -page))
@@ -254,8 +254,8 @@ class Focus:
 
     # --- helpers ---
 
-    def _tell(self, name, act):
-        self.acts.setdefault(name, []).append(act)
+    def _tell(self, name, event):
+        self.events.setdefault(name, []).append(event)
 
     def _drop(self):
         self.name, self.by_keyboard, self.popup = None, False, None

@@ -1,11 +1,11 @@
-"""What a person can do to a control, and what a control listens to."""
+"""Input: what a person can do to a control, and where a control takes it."""
 
 import sys
 from typing import NamedTuple
 
 import pygame
 
-ENTER = pygame.K_RETURN  # the keypad's Enter is told as this one
+ENTER = pygame.K_RETURN  # the keypad's Enter counts as this one
 
 
 def key_name(label):
@@ -14,17 +14,17 @@ def key_name(label):
 
 
 class Slot(NamedTuple):
-    """Where a control lies and what it listens to."""
+    """Where a control lies and which input it takes."""
 
     rect: pygame.Rect
     ring: pygame.Rect  # of the focus ring
-    parts: tuple = ()  # rects inside it that can be told apart: a slider's track, a choice's segments
+    parts: tuple = ()  # rects inside it that act differently: a slider's track, a choice's segments
     keys: frozenset = frozenset()
     tip: str = ""
     live: bool = True
 
 
-class Act(NamedTuple):
+class ControlEvent(NamedTuple):
     """One thing that a person did to a control."""
 
     kind: str  # press, drag, release, key or wheel

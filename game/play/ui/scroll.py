@@ -1,4 +1,9 @@
-"""How far a tall column is scrolled inside its view, in pixels."""
+"""Scrolling: how far a tall column is scrolled inside its view, and the thumb that shows it."""
+
+import pygame
+
+from game.play.ui import draw_list
+from game.play.ui import theme as look
 
 
 class Scroll:
@@ -45,3 +50,11 @@ class Scroll:
         """Move the grabbed thumb with the pointer."""
         if self.thumb:
             self.to((y - self._grab) / max(1, self.view - self.thumb[1]) * self.limit)
+
+
+def thumb(theme, track, first, seen, total, colour=look.EDGE):
+    """Return the strokes of a thumb in the rect `track`, where `seen` of `total` rows show from `first` on."""
+    if seen >= total:
+        return []
+    top, height = track.y + track.height * first // total, track.height * seen // total
+    return [(draw_list.box, pygame.Rect(track.x, top, track.width, height), colour, theme.px(2))]

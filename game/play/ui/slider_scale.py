@@ -6,19 +6,20 @@ from typing import NamedTuple
 from game.world.sand.parameters import Knob
 
 STEPS = 100  # arrow presses from one end of a slider to the other, about
+UNITS = {"cells": " cells", "iterations": " it.", "iterations per second": " it./s", "MB": " MB"}  # as they are short
 DIGITS = 9  # decimals kept: removes the noise of binary fractions, so that 0.25 is exactly 0.25
 
 
-class Dial(NamedTuple):
+class SliderScale(NamedTuple):
     """A knob as a slider sees it: linear, or by equal ratios if `log` (then `low` must be above 0)."""
 
     knob: Knob
     log: bool = False
-    step: float | None = None  # between neighbouring values of a linear dial; None: about 1/100 of the range
+    step: float | None = None  # between neighbouring values of a linear scale; None: about 1/100 of the range
 
     @property
     def pace(self):
-        """The step of a linear dial: 1 for a whole knob, else 1, 2 or 5 times a power of ten."""
+        """The step of a linear scale: 1 for a whole knob, else 1, 2 or 5 times a power of ten."""
         return self.step or (1 if self.knob.whole else _round_number((self.knob.high - self.knob.low) / STEPS))
 
     def fraction(self, value):
@@ -45,7 +46,14 @@ class Dial(NamedTuple):
         return self._on_grid((math.floor(place) if steps > 0 else math.ceil(place)) + steps, pace)
 
     def spell(self, value):
-        """Return the value as text, short enough for a slider's row."""
+        """Return the value with its unit, short enough for a slider's row."""
+        return f"{self._digits(value)}{self.unit(value)}"
+
+    def unit(self, value):
+        """Return the unit of the value as it follows the digits, or ""."""
+        return " cell" if self.knob.unit == "cells" and value == 1 else UNITS.get(self.knob.unit, "")
+
+    def _digits(self, value):
         if self.log and value >= 10_000:
             return f"{value / 1e6:.3g} M" if value >= 1e6 else f"{value / 1e3:.3g} k"
         if self.knob.whole:
@@ -64,7 +72,7 @@ class Dial(NamedTuple):
         return self._kind(min(max(moved, self.knob.low), self.knob.high))
 
     def _tidy(self, value, per_range):
-        """Round to as many leading digits as tell one step of a log dial from the next."""
+        """Round to as many leading digits as tell one step of a log scale from the next."""
         ratio = (self.knob.high / self.knob.low) ** (1 / per_range)
         digits = 1 + math.ceil(-math.log10(ratio - 1))
         tidy = round(value, digits - 1 - math.floor(math.log10(value)))

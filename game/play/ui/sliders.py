@@ -5,11 +5,12 @@ import pygame
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.controls import ROW
-from game.play.ui.slider_scale import Dial
+from game.play.ui.slider_scale import SliderScale
 
 HANDLE = 7  # radius at scale 1
 TALL_ROW = 40  # a slider in two lines: words above, track below
 VALUE_WIDTH = 46
+WITH_UNIT = 68  # … where the value has a unit
 CELL = 11  # of a picture
 NARROW = 230  # a column narrower than this has no room for words and track in one line
 
@@ -31,21 +32,21 @@ def slider(
     """Show a slider for a knob; return its value, as it came unless the person moved it.
 
     default: what a double click or Delete brings back; the knob's own if None. tip: the knob's meaning if None.
-    log: equal ratios instead of equal differences. step: see Dial. picture: see slider_with_picture.
-    spell: returns the text of a value; the dial's way if None.
+    log: equal ratios instead of equal differences. step: see SliderScale. picture: see slider_with_picture.
+    spell: returns the text of a value; the scale's way if None.
     """
-    dial = Dial(knob, log, step)
-    row, words, track, number = _lay_out(ui, picture)
+    scale = SliderScale(knob, log, step)
+    row, words, track, number = _lay_out(ui, picture, WITH_UNIT if scale.unit(value) else VALUE_WIDTH)
     top = words.bottom if words.bottom < row.bottom else row.y
     zone = pygame.Rect(track.x, top, track.width, row.bottom - top).inflate(2 * ui.theme.px(HANDLE), 0)
     me = ui.claim(name or label, ui.bleed(row), parts=(zone,), keys=SLIDER_KEYS, tip=_tip(knob) if tip is None else tip)
-    for act in me.acts:
-        value = _moved(dial, value, act, track, knob.default if default is None else default)
+    for event in me.events:
+        value = _moved(scale, value, event, track, knob.default if default is None else default)
     ui.stroke(draw_list.words, words, label, look.BODY, look.TEXT, 0)
-    ui.stroke(draw_list.words, number, (spell or dial.spell)(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
+    ui.stroke(draw_list.words, number, (spell or scale.spell)(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
     if picture:
         _draw_picture(ui, row, picture)
-    _draw_track(ui, track, dial, value, marks, me)
+    _draw_track(ui, track, scale, value, marks, me)
     return value
 
 
@@ -59,24 +60,24 @@ def _tip(knob):
     return f"{meaning} ({knob.unit})" if knob.unit else meaning
 
 
-def _moved(dial, value, act, track, default):
-    if act.kind == "press" and act.again:
+def _moved(scale, value, event, track, default):
+    if event.kind == "press" and event.again:
         return default
-    if act.kind in ("press", "drag") and act.part is not None and not act.again:
-        return dial.at((act.pos[0] - track.x) / max(1, track.width))
-    if act.kind != "key":
+    if event.kind in ("press", "drag") and event.part is not None and not event.again:
+        return scale.at((event.pos[0] - track.x) / max(1, track.width))
+    if event.kind != "key":
         return value
-    if act.key in RESET_KEYS:
+    if event.key in RESET_KEYS:
         return default
-    if act.key in STEP_KEYS:
-        return dial.stepped(value, STEP_KEYS[act.key], act.shift)
-    return dial.at(0.0 if act.key == pygame.K_HOME else 1.0)
+    if event.key in STEP_KEYS:
+        return scale.stepped(value, STEP_KEYS[event.key], event.shift)
+    return scale.at(0.0 if event.key == pygame.K_HOME else 1.0)
 
 
-def _lay_out(ui, picture):
+def _lay_out(ui, picture, value_width):
     """Return the rects of the row, the words, the track (as far as the handle's centre goes) and the number."""
     px = ui.theme.px
-    handle, value_width, label_width = px(HANDLE), px(VALUE_WIDTH), ui.label_width
+    handle, value_width, label_width = px(HANDLE), px(value_width), ui.label_width
     if not picture and ui.width >= px(NARROW):
         row = ui.place(px(ROW), 0)
         words = pygame.Rect(row.x, row.y, label_width - px(4), row.height)
@@ -113,16 +114,16 @@ def _draw_picture(ui, row, picture):
     ui.stroke(draw_list.block, after, picture[1])
 
 
-def _draw_track(ui, track, dial, value, marks, me):
+def _draw_track(ui, track, scale, value, marks, me):
     px = ui.theme.px
     half, radius = px(2), px(HANDLE)
-    x = _x(track, dial.fraction(value))
+    x = _x(track, scale.fraction(value))
     groove = pygame.Rect(track.x - radius, track.y - half, track.width + 2 * radius, 2 * half)
-    from_x = _x(track, dial.fraction(0.0)) if dial.knob.low < 0.0 < dial.knob.high else groove.x
+    from_x = _x(track, scale.fraction(0.0)) if scale.knob.low < 0.0 < scale.knob.high else groove.x
     filled = pygame.Rect(min(x, from_x), groove.y, abs(x - from_x), 2 * half)
     ui.stroke(draw_list.box, groove, look.EDGE if me.hover else look.GROOVE, half)
     for mark in marks:
-        tick = pygame.Rect(_x(track, dial.fraction(mark)) - px(1) // 2, track.y + half + px(3), px(1), px(3))
+        tick = pygame.Rect(_x(track, scale.fraction(mark)) - px(1) // 2, track.y + half + px(3), px(1), px(3))
         ui.stroke(draw_list.fill, tick, look.FAINT)
     ui.stroke(draw_list.box, filled, look.BRIGHT_ACCENT if me.hover else look.ACCENT, half)
     handle = pygame.Rect(x - radius, track.y - radius, 2 * radius, 2 * radius)

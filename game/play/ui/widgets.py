@@ -13,8 +13,7 @@ from typing import NamedTuple
 
 import pygame
 
-from game.play.ui import choice_grids as grid
-from game.play.ui import controls, draw_list, dropdown, sliders, tooltips
+from game.play.ui import choice_grids, controls, draw_list, dropdown, sliders, tooltips
 from game.play.ui import theme as look
 from game.play.ui.focus import BAR as HELD_BAR
 from game.play.ui.focus import Focus
@@ -32,7 +31,7 @@ class Claim(NamedTuple):
     """What a control learns when it claims its place: its own name, what was done to it, and how it should look."""
 
     name: str
-    acts: list
+    events: list  # of ControlEvents
     hover: bool
     held: bool
 
@@ -46,7 +45,8 @@ class Ui:
     toggle = controls.toggle
     fold = controls.fold
     segmented = controls.segmented
-    grid = grid.grid
+    grid = choice_grids.grid
+    swatches = choice_grids.swatches
     slider = sliders.slider
     slider_with_picture = sliders.slider_with_picture
     choice = dropdown.choice
@@ -180,7 +180,7 @@ class Ui:
         ring = body if bodiless else body.inflate(2 * self.theme.px(2), 2 * self.theme.px(2))
         self._slots[name] = Slot(rect, ring, parts, keys if live else frozenset(), tip, live)
         focus = self.focus
-        return Claim(name, focus.acts.get(name, []) if live else [], focus.hover == name, focus.held == name)
+        return Claim(name, focus.events.get(name, []) if live else [], focus.hover == name, focus.held == name)
 
     def stroke(self, *stroke):
         """Add (paint function, rect, ...) to the drawing."""

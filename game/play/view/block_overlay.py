@@ -33,10 +33,10 @@ class BlockOverlay:
         """Show the blocks, or hide them; if they cannot be seen now, say why."""
         self.on = not self.on
         if self.on and self._display.stage.view.cell < LEAST_CELL:
-            words = "Zoom in until grains are large, and their blocks will show: Ctrl+wheel, or Ctrl and +"
+            words = "Zoom in to see the blocks: Ctrl+wheel, or Ctrl and +"
             self._notices.say(words, holds=lambda: self.on and not self.shown)
         elif self.on and not self._is_calm:
-            words = "Blocks show while time stands still: Space, then . for one iteration"
+            words = "Blocks show while time is paused: Space, then . for each iteration"
             self._notices.say(words, holds=lambda: self.on and not self.shown)
 
     @property

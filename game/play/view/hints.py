@@ -20,9 +20,9 @@ class Hint(NamedTuple):
 
 
 HINTS = (
-    Hint("paint", 8.0, "Press and drag to pour sand; the right button takes it away."),
+    Hint("paint", 8.0, "Press and drag to pour sand. The right button removes it."),
     Hint("flip", 0.0, "The sand is at rest. F turns the glass over."),
-    Hint("p", 40.0, "Drag p in the panel: with less of it the sand is rougher, and its piles are steeper."),
+    Hint("p", 40.0, "Drag p in the panel: with a lower p, the sand is rougher and its piles are steeper."),
 )
 
 

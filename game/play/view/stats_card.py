@@ -14,7 +14,7 @@ WIDTH = 400  # pixels at scale 1
 PAD = 10
 AWAY = 10  # from the lower left corner of the sand
 BUSY = "frames came late: this computer was busy with something else"
-FULL = "the sand takes all the time that frames have"
+FULL = "the sand takes all the time that a frame has"
 
 
 class StatsCard:
@@ -90,9 +90,9 @@ class StatsCard:
             yield f"{reading.frames_per_second:.0f} frames a second, {work}"
             yield _told(reading, session)
             yield _books(self._stats)
-        known = f" of {session.reached:,} that are known" if session.now < session.reached else ""
+        known = f" of {session.reached:,} computed" if session.now < session.reached else ""
         yield f"Iteration {session.now:,}{known}"
-        yield f"The past takes {session.past_bytes / MEGABYTE:.1f} of {session.memory_mb:,.0f} MB"
+        yield f"Memory for the past: {session.past_bytes / MEGABYTE:.1f} of {session.memory_mb:,.0f} MB"
 
 
 def _books(stats):

@@ -61,7 +61,7 @@ def _pace(reading, session):
     if session.settled:
         return "The sand is at rest"
     if reading.full:
-        return f"{reading.done:,.0f} of {reading.due:,.0f} iterations a second, all that this computer can do"
+        return f"{reading.done:,.0f} of {reading.due:,.0f} iterations a second: all this computer can do"
     speed = session.clock.speed
     near = abs(reading.done - speed) <= max(NEAR * speed, 1 / reading.seconds)
     return counted(speed if near else reading.done, "iteration") + " a second"
@@ -72,7 +72,7 @@ def _grains(now, books):
     said = counted(sum(now), "grain")
     if now == books:
         return said
-    return f"{said}, but {sum(books):,} on the books" if sum(now) != sum(books) else f"{said}, of wrong colours"
+    return f"{said}, but {sum(books):,} in the account" if sum(now) != sum(books) else f"{said}, of wrong colours"
 
 
 def counted(number, what):

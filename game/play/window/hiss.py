@@ -44,16 +44,6 @@ class Hiss:
         else:
             self._notices.say("Sound is on" if settings["sound"] else "Sound is off")
 
-    def show(self, ui):
-        """Show the controls."""
-        settings = self._settings
-        tip = "The sand hisses: the more of it moves, the louder  (M)"
-        if ui.toggle("Sound", settings["sound"], tip=tip) != settings["sound"]:
-            self.toggle()
-        if settings["sound"]:
-            tip = "How loud the sand is"
-            settings["volume"] = ui.slider("Volume", settings.rows["volume"], settings["volume"], tip=tip)
-
     def update(self, now_s):
         """Let the hiss follow the sand."""
         wanted = self._settings["sound"]

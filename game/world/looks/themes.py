@@ -89,6 +89,10 @@ class Colours(NamedTuple):
         grain = self.dyes[number - 1]
         return {look: Range(*(_lit(grain, by) for by in LIGHT_ON_SAND[look])) for look in self.sand}
 
+    def swatch(self, number):
+        """Return the RGB that stands for sand of a colour, by its number."""
+        return tuple(map(round, self.mean_of(number, GRAIN)))
+
     def mean_of(self, number, look):
         """Return the mean colour of a look of sand of a colour, RGB as floats."""
         return tuple((dark + light) / 2 for dark, light in zip(*self.dye(number)[look], strict=True))

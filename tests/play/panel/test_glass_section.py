@@ -1,7 +1,5 @@
 """The hourglass maker in the panel: the glass changes under a slider, the sand stays, and one undo takes it back."""
 
-from types import SimpleNamespace
-
 import pygame
 import pytest
 
@@ -18,7 +16,7 @@ from tests.play.player import Player
 def maker():
     """Return a player of the hourglass with the maker open and time held."""
     player = Player("hourglass", size=(900, 1400))
-    player.parts.panel.glass.open = True
+    player.unfold("Glass")
     player.hold_time()
     player.session.timeline.run(200)
     player.wait(1)
@@ -71,7 +69,7 @@ def test_how_long_it_runs_is_told(maker):
     maker.wait(2)
     left = find_run_out(maker.session.timeline.lookahead()).at - maker.session.now
     seconds = round(left / maker.session.clock.speed)
-    assert f"Runs for {seconds // 60}:{seconds % 60:02} more" in running_time(maker.parts)
+    assert f"Runs for {seconds // 60}:{seconds % 60:02} more" in maker.words()
 
 
 def test_restart_fills_the_glass_that_was_made(maker):
@@ -113,7 +111,7 @@ def test_a_glass_that_was_made_is_saved_like_any_scene(maker):
 
 def test_a_slider_stays_under_the_pointer_when_lines_above_it_go():
     player = Player("hourglass", size=(900, 560))  # low: the fold is scrolled to
-    player.parts.panel.glass.open = True
+    player.unfold("Glass")
     player.hold_time()
     player.wait(1)
     places = [player.control("Neck", share) for share in (0.2, 0.3, 0.4)]
@@ -150,6 +148,4 @@ def test_a_plugged_glass_is_not_said_to_be_empty(walls, words):
         session.do(Paint("wall", walls[:2], walls[2:], 4))
     else:
         session.do(Clear())
-    ending = find_run_out(session.timeline.lookahead())
-    parts = SimpleNamespace(planner=SimpleNamespace(ask=lambda: ending), sessions=SimpleNamespace(now=session))
-    assert running_time(parts) == words
+    assert running_time(session, find_run_out(session.timeline.lookahead())) == words

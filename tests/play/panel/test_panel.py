@@ -127,7 +127,13 @@ def test_every_button_of_time_and_window_shows_its_key_clear_of_its_label(glass)
         "Clear": "C",
         "Step": ".",
     }
-    keys |= {"Fast": "Right", "Settle": "End", "Flow": "Shift+Right", "Full screen": "F11", "Keys": "F1"}
+    keys |= {
+        "Fast": "Right",
+        "Run to rest": "End",
+        "Run to next grain": "Shift+Right",
+        "Full screen": "F11",
+        "Keys": "F1",
+    }
     written = [(pygame.Rect(rect), *how) for stroke, rect, *how in ui._strokes if stroke is draw_list.words]
     for name, key in keys.items():
         inside = [each for each in written if ui.focus.slots[name].rect.contains(each[0])]
@@ -160,7 +166,7 @@ def test_every_control_is_worked_by_keyboard(glass, unfolded, monkeypatch):
 
     def noted(self, name, rect, **how):
         me = claim(self, name, rect, **how)
-        heard.extend(me.name for act in me.acts if act.kind == "key")
+        heard.extend(me.name for event in me.events if event.kind == "key")
         return me
 
     monkeypatch.setattr(Ui, "claim", noted)

@@ -70,7 +70,8 @@ def test_a_window_without_room_says_so():
     pygame.display.quit()
 
 
-def test_the_tables_are_saved_with_a_header(glass, own_folder):
+def test_the_tables_are_saved_with_a_header(glass, own_folder, monkeypatch):
+    monkeypatch.setattr("game.play.plots.plots.SHARE", 0)  # on whatever machine: as often as it may be
     glass.key(pygame.K_l, "l")
     glass.wait(60)
     glass.hold_time()
@@ -89,10 +90,10 @@ def test_the_row_is_the_neck_unless_the_player_sets_another(glass):
     plots.measured_row = 77
     glass.key(pygame.K_l, "l")
     glass.wait(2)
-    assert plots._watch.row == 77
+    assert plots.measurements.row == 77
     glass.parts.sessions.load("paper")
     glass.wait(2)
-    assert plots._watch.row == 30
+    assert plots.measurements.row == 30
 
 
 def test_the_row_lies_in_the_lattice_however_it_is_turned(player):
@@ -150,7 +151,7 @@ def coloured(size, scale, factor):
     tallies = {field.name: tuple(factor * each for each in getattr(account, field.name)) for field in fields(account)}
     player.session.timeline.moment.account = GrainAccount(**tallies)
     player.wait(40)
-    samples = player.parts.plots._watch.samples
+    samples = player.parts.plots.measurements.samples
     samples[:] = [each._replace(frame_ms=9.0) for each in samples]  # on whatever machine
     return player
 
@@ -158,7 +159,9 @@ def coloured(size, scale, factor):
 @pytest.mark.parametrize("slowest_ms", [3.2, 123.4, 12_345.6])
 def test_a_slow_frame_leaves_room_for_its_title(slowest_ms):
     player = coloured((900, 520), 1, 1)
-    player.parts.plots._watch.samples[-1] = player.parts.plots._watch.samples[-1]._replace(frame_ms=slowest_ms)
+    player.parts.plots.measurements.samples[-1] = player.parts.plots.measurements.samples[-1]._replace(
+        frame_ms=slowest_ms
+    )
     theme = player.parts.display.theme
     rect = next(rect for rect, text, _ in written(player) if text == "Slowest frame")
     assert theme.width("Slowest frame", look.SMALL) <= rect.width

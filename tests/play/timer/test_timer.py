@@ -295,7 +295,7 @@ def test_a_session_that_was_left_gets_its_speed_back(waiting, stopped_there):
 
 
 def test_the_panel_sets_and_starts_it(waiting):
-    waiting.parts.panel.timer.open = True
+    waiting.unfold("Timer")
     waiting.wait(1)
     waiting.click(waiting.parts_of("Minutes")[3].center)
     assert waiting.timer.wanted_s == 600
@@ -309,7 +309,7 @@ def test_the_panel_sets_and_starts_it(waiting):
 
 
 def test_its_slider_goes_from_a_second_by_even_steps_to_two_hours(waiting):
-    waiting.parts.panel.timer.open = True
+    waiting.unfold("Timer")
     waiting.wait(1)
     waiting.click(waiting.control("Any time", 0.0))
     assert waiting.timer.wanted_s == 1
@@ -330,11 +330,10 @@ def test_its_slider_goes_from_a_second_by_even_steps_to_two_hours(waiting):
     ("seconds", "words"), [(1, "1 s"), (10, "10 s"), (1.5, "1.5 s"), (90, "1:30"), (5400, "1:30 h")]
 )
 def test_its_slider_shows_what_was_asked_for_where_it_is(waiting, seconds, words):
-    waiting.parts.panel.timer.open = True
+    waiting.unfold("Timer")
     waiting.timer.set(seconds)
     waiting.wait(1)
-    texts = [how[0] for _, _, *how in waiting.parts.panel.ui._strokes if how]
-    assert words in texts and waiting.timer.wanted_s == seconds
+    assert words in [text for _, text, _ in waiting.written()] and waiting.timer.wanted_s == seconds
     edge, wide = HANDLE, waiting.parts_of("Any time")[0].width
     waiting.click(waiting.control("Any time", (edge + (wide - 2 * edge) * np.log(seconds) / np.log(7200)) / wide))
     assert waiting.timer.wanted_s == pytest.approx(seconds, rel=0.1, abs=0.5)

@@ -80,7 +80,7 @@ def test_too_high_a_speed_is_said_plainly_with_what_is_reached(glass):
     glass.session.clock.speed = 1_000_000
     glass.wait(30)
     words, colour = line(glass)
-    assert "of 1,000,000 iterations a second, all that this computer can do" in words and colour == look.ACCENT
+    assert "of 1,000,000 iterations a second: all this computer can do" in words and colour == look.ACCENT
     glass.parts.stats_card.toggle()
     glass.wait(20)
     assert FULL in " ".join(glass.parts.stats_card.lines)
@@ -104,7 +104,7 @@ def test_a_grain_that_is_not_on_the_books_is_noticed(player):
     player.session.timeline.moment.account = account
     player.wait(30)
     words, colour = line(player)
-    assert "but 0 on the books" in words and colour == look.ACCENT
+    assert "but 0 in the account" in words and colour == look.ACCENT
 
 
 def test_the_figures_come_where_the_pointer_rests_and_go_with_it(glass):
