@@ -112,7 +112,7 @@ class Parts:
             SandCommands(sessions, self.journals, self.settings, display, notices, brush, self.camera, self.timer),
             ViewCommands(
                 *(sessions, display, notices, brush, self.camera, self.cursor, self.block_overlay),
-                *(self.forecasting, self.plots, self.help, self.hiss, self.quit),
+                *(self.forecasting, self.stats_card, self.plots, self.help, self.hiss, self.quit),
             ),
             FileCommands(sessions, self.files, self.gallery, self.recorder, self.plots),
         )

@@ -6,7 +6,6 @@ import pytest
 
 from game import Rule
 from game.core.draw.cells import LOOKS, WALL
-from game.play.controls import view_commands
 from game.world.scenes.scene import load_scene
 from game.world.sessions.action import SetRule
 from game.world.sessions.session import Session
@@ -166,30 +165,24 @@ def test_plus_and_minus_change_the_speed(glass):
     assert glass.session.clock.speed == pytest.approx(before)
 
 
-def test_escape_closes_what_is_open_and_quits_when_it_is_pressed_twice(glass):
+def test_escape_closes_what_is_open_and_never_quits(glass):
     parts, own = glass.parts, glass.session
     shown = "help", "cursor", "plots", "forecast", "fullscreen"
     for command in (*(f"view.toggle_{each}" for each in shown), "sand.compare"):
         parts.commands.give(command)
         glass.wait(2)
-    for _ in range(7):
-        assert parts.running
+    parts.stats_card.toggle()
+    for _ in range(12):
         glass.key(pygame.K_ESCAPE)
-    assert not (
-        parts.help.shown or parts.cursor.on or parts.plots.shown or parts.forecasting.shown or parts.window.fullscreen
-    )
+    is_open = parts.help.shown, parts.cursor.on, parts.plots.shown, parts.forecasting.shown, parts.stats_card.kept
+    assert not any(is_open) and not parts.window.fullscreen
     assert parts.sessions.now is own and parts.running
-    glass.key(pygame.K_ESCAPE)
-    assert not parts.running
+    assert "Ctrl+Q quits" in parts.notices.text
 
 
-def test_one_escape_alone_does_not_quit(glass, monkeypatch):
-    now_s = [50.0]
-    monkeypatch.setattr(view_commands.time, "monotonic", lambda: now_s[0])
-    for _ in range(3):
-        now_s[0] += view_commands.TWICE_S + 0.1
-        glass.key(pygame.K_ESCAPE)
-        assert glass.parts.running
+def test_ctrl_q_quits(glass):
+    glass.key(pygame.K_q, "q", pygame.KMOD_LCTRL)
+    assert not glass.parts.running
 
 
 def test_the_p_slider_sets_both_topples(glass):

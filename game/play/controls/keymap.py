@@ -6,6 +6,8 @@ import pygame
 
 CTRL = pygame.KMOD_CTRL | pygame.KMOD_META  # on a Mac, Cmd
 SHIFT = pygame.KMOD_SHIFT
+NAMED = 1 << 30  # from here on codes are of keys that type nothing
+FIRST_ACCENTED, LAST_LATIN = 0xC0, 0x24F  # codes of Latin letters beyond a to z
 ALT_GR = pygame.KMOD_RALT | pygame.KMOD_MODE  # by which many a layout types brackets; Windows holds Ctrl down with it
 
 
@@ -109,7 +111,8 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("M", (pygame.K_m,), "view.toggle_sound", "sound of the sand"),
         Key("F11", (pygame.K_F11,), "view.toggle_fullscreen", "full screen"),
         Key("F1 or ?", (pygame.K_F1, pygame.K_QUESTION), "view.toggle_help", "this page"),
-        Key("Esc", (pygame.K_ESCAPE,), "view.escape", "close or leave; twice: quit"),
+        Key("Esc", (pygame.K_ESCAPE,), "view.escape", "close what is open"),
+        Key("Ctrl+Q", (pygame.K_q,), "view.quit", "quit", CTRL),
     ),
 }
 KEYS = tuple(key for keys in GROUPS.values() for key in keys)
@@ -128,14 +131,40 @@ _BY_TEXT = {
 }
 
 
+_LETTERS = {pygame.KSCAN_A + number: pygame.K_a + number for number in range(26)}
+_PLACES = _LETTERS | {  # what stands there on a US keyboard
+    **{pygame.KSCAN_1 + number: pygame.K_1 + number for number in range(9)},
+    pygame.KSCAN_0: pygame.K_0,
+    pygame.KSCAN_MINUS: pygame.K_MINUS,
+    pygame.KSCAN_EQUALS: pygame.K_EQUALS,
+    pygame.KSCAN_LEFTBRACKET: pygame.K_LEFTBRACKET,
+    pygame.KSCAN_RIGHTBRACKET: pygame.K_RIGHTBRACKET,
+    pygame.KSCAN_COMMA: pygame.K_COMMA,
+    pygame.KSCAN_PERIOD: pygame.K_PERIOD,
+}
+
+
 def command(event):
-    """Return the command that a KEYDOWN event gives, or None."""
+    """Return the command that a KEYDOWN event gives, or None.
+
+    On a layout without Latin letters a key gives the command of its place on a US keyboard.
+    """
     if event.mod & ALT_GR:
         return _BY_TEXT.get(event.unicode)
     if event.mod & pygame.KMOD_ALT:
         return None
+    place = getattr(event, "scancode", None)
+    if LAST_LATIN < event.key < NAMED:
+        return _command_of(_PLACES.get(place), event)
+    found = _command_of(event.key, event)
+    if found or pygame.K_a <= event.key <= pygame.K_z or event.key >= FIRST_ACCENTED:
+        return found
+    return _command_of(_LETTERS.get(place), event)  # Greek and Hebrew keyboards have signs in place of Q and W
+
+
+def _command_of(code, event):
     ctrl, shift = CTRL if event.mod & CTRL else 0, SHIFT if event.mod & SHIFT else 0
     if ctrl:
-        return _COMMANDS.get((event.key, ctrl | shift))
-    found = _BY_TEXT.get(event.unicode) or _COMMANDS.get((event.key, shift))
-    return found or _COMMANDS.get((event.key, 0))
+        return _COMMANDS.get((code, ctrl | shift))
+    found = _BY_TEXT.get(event.unicode) or _COMMANDS.get((code, shift))
+    return found or _COMMANDS.get((code, 0))

@@ -1,23 +1,32 @@
 """The commands for the view: what the window shows, and how it is left."""
 
-import time
-
+from game.play.ui.input import key_name
 from game.world.sessions.comparison import Comparison
-
-TWICE_S = 3.0  # within which Esc has to come again to quit; as long as the notice of it is read
 
 
 class ViewCommands:
     """The keys and buttons of the view and the window."""
 
     def __init__(
-        self, sessions, display, notices, brush, camera, cursor, blocks, forecasting, plots, keys_page, hiss, on_quit
+        self,
+        sessions,
+        display,
+        notices,
+        brush,
+        camera,
+        cursor,
+        blocks,
+        forecasting,
+        figures,
+        plots,
+        keys_page,
+        hiss,
+        on_quit,
     ):
         self._sessions, self._display, self._notices = sessions, display, notices
         self._brush, self._camera, self._cursor, self._blocks = brush, camera, cursor, blocks
-        self._forecasting, self._plots, self._help, self._hiss = forecasting, plots, keys_page, hiss
-        self._on_quit = on_quit
-        self._warned_s = -TWICE_S  # when the player was told how to quit
+        self._forecasting, self._figures, self._plots = forecasting, figures, plots
+        self._help, self._hiss, self._on_quit = keys_page, hiss, on_quit
 
     def show_all(self):
         """Show the whole lattice."""
@@ -66,21 +75,22 @@ class ViewCommands:
         self._help.toggle()
 
     def escape(self):
-        """Let go of what is being drawn, or close what is open; with nothing open quit, if Esc comes twice."""
+        """Let go of what is being drawn, or close what is open; never quit."""
         for is_open, close in (
             (self._brush.painting, self._brush.let_go),
             (self._help.shown, self.toggle_help),
             (self._cursor.on, self.toggle_cursor),
             (self._plots.shown, self.toggle_plots),
             (self._forecasting.shown, self.toggle_forecast),
+            (self._figures.kept, self._figures.toggle),
             (isinstance(self._sessions.now, Comparison), self._sessions.leave),
             (self._display.window.fullscreen, self.toggle_fullscreen),
         ):
             if is_open:
                 close()
                 return
-        if time.monotonic() - self._warned_s <= TWICE_S:
-            self._on_quit()
-            return
-        self._warned_s = time.monotonic()
-        self._notices.say("Press Esc again to quit.", holds=lambda: time.monotonic() - self._warned_s <= TWICE_S)
+        self._notices.say(f"Nothing is open. {key_name('Ctrl+Q')} quits.")
+
+    def quit(self):
+        """Close the window; the next start offers to go on with the session."""
+        self._on_quit()

@@ -1,4 +1,4 @@
-"""Crash recovery: offers to resume a session whose journal was cut off."""
+"""Crash recovery: offers to resume the last session, whether it was cut off or its window was closed."""
 
 from datetime import datetime
 from functools import partial
@@ -12,14 +12,14 @@ from game.world.sessions.session import SEEK_NS, Session
 
 
 class CrashRecovery:
-    """Keeps journals from the start of the window, and offers what a crash left."""
+    """Keeps journals from the start of the window, and offers to resume the session that was left last."""
 
     def __init__(self, sessions, journals, question, background, notices):
         self._sessions, self._journals, self._question = sessions, journals, question
         self._background, self._notices = background, notices
 
     def start(self):
-        """Keep journals from now on, and look for one that a crash left."""
+        """Keep journals from now on, and look for one to go on with."""
         session = self._sessions.now
         self._journals.keep()
         self._journals.begin(session, session.timeline.history.story())
@@ -40,7 +40,7 @@ class CrashRecovery:
         self._background.do(partial(Journal.resume, path), self._open)
 
     def _open(self, found):
-        """Open (the Journal, its Recording), paused where it was cut off."""
+        """Open (the Journal, its Recording), paused where it was left."""
         kept, recording = found
         session = Session.retold(recording)
         session.journal, session.paused = kept, True
@@ -53,12 +53,15 @@ class CrashRecovery:
 
 
 def _left_over():
-    """Return (path, what to say) of the newest journal that a crash left, or None."""
-    path = next(journal.unfinished(), None)
+    """Return (path, what to say) of the journal to go on with, or None."""
+    path = journal.left_over()
     if path is None:
         return None
-    session = f"Your session of {datetime.fromtimestamp(path.stat().st_mtime):%d %B, %H:%M},"
+    when = f"{datetime.fromtimestamp(path.stat().st_mtime):%d %B, %H:%M},"
     if not path.name.endswith(journal.STOPPED):
-        return path, f"{session} was cut off. Nothing in it is lost."
+        return path, f"All that you did until {when} is kept."
     acts = journal.acts_in(path)
-    return path, f"{session} went on when its journal could not. Acts that it holds: {acts:,}; nothing later."
+    return (
+        path,
+        f"Your session of {when} went on when its journal could not. Acts that it holds: {acts:,}; nothing later.",
+    )

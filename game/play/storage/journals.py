@@ -23,15 +23,33 @@ class Journals:
             session.journal = Journal.begin(*session.timeline.start)
             for entry in entries:
                 session.journal.note(entry)
+            session.journal.acted = False
         except FileError as error:
             session.journal, session.trouble = None, str(error)
 
     def close(self, session):
         """End a session's journal."""
+        self._end(session, lambda journal: journal.close(session.now, _digest(session)))
+
+    def leave(self, session):
+        """End a session's journal so that the next start offers to go on, if the player has done anything in it."""
+        if session.journal and not session.journal.acted:
+            self._end(session, lambda journal: journal.close(session.now, ""))
+        elif session.timeline.goal is None:
+            self._end(session, lambda journal: journal.leave(session.now, session.world.digest()))
+        else:
+            self._end(session, Journal.abandon)
+
+    def _end(self, session, end):
         if session.journal is None:
             return
         try:
-            session.journal.close(session.now, "" if session.timeline.goal is not None else session.world.digest())
+            end(session.journal)
         except FileError as error:
             self._say(error, trouble=True)
         session.journal = None
+
+
+def _digest(session):
+    """Return the digest of a session's world, or "" while another moment is being computed."""
+    return "" if session.timeline.goal is not None else session.world.digest()

@@ -90,9 +90,11 @@ class Sessions:
         return scene.title if name == scene.name else scene_title(name)
 
     def close(self):
-        """End the journals of all sessions."""
-        for session in (*self._waiting, self.now):
+        """End the journals of all sessions but the player's own, which the next start can go on with."""
+        own, *others = *self._waiting, self.now
+        for session in others:
             self._journals.close(session)
+        self._journals.leave(own)
 
     def _play(self, session):
         session.limit_memory(self.now.memory_mb)

@@ -3,7 +3,7 @@
 A journal is a session file (see `session_format`) that grows. Each line goes to the system at once, and so survives the
 death of the process; every SYNC_S it is forced to the disk, which bounds what a power cut can take. Each
 window has a journal of its own, locked while it is open: one without an end that nobody has locked is left from a
-crash.
+crash. The end of one whose player has let it go tells no digest.
 """
 
 import contextlib
@@ -17,7 +17,7 @@ from pathlib import Path
 
 from game.world.files.atomic import FileError, load, lock, trouble
 from game.world.files.paths import folder_of
-from game.world.sessions.history import WAIT
+from game.world.sessions.history import WAIT, Entry
 from game.world.sessions.recording import SUFFIX, parse
 from game.world.sessions.session_format import LARGEST_FILE, LineWriter, ReplayError
 
@@ -27,6 +27,8 @@ STOPPED = f".stopped{SUFFIX}"  # how the name ends of a journal that could not b
 MOST_JOURNALS = 30  # older ones that are finished are removed
 MOST_BYTES = 100 * 10**6  # of all journals but the open ones
 LONGEST_END = 120  # bytes, of the line that ends a journal
+AN_END = re.compile(rb'"do":"end".*\n')
+A_DIGEST = re.compile(rb'"digest":"[^"]')
 AN_ACT = re.compile(rb'"do":"(?!wait)')
 
 
@@ -44,6 +46,7 @@ class Journal:
 
     def __init__(self, path, handle, pen):
         self.path = path
+        self.acted = False  # the player has done something since it was begun, or before it was resumed
         self._handle, self._pen, self._size = handle, pen, os.fstat(handle).st_size
         self._noted_at, self._waited_s = None, time.monotonic()
         self._synced_s, self._syncing, self._failed = time.monotonic(), None, None
@@ -66,12 +69,12 @@ class Journal:
 
     @classmethod
     def resume(cls, path):
-        """Open the journal of a session that ended without a word; return (journal, its Recording).
+        """Open the journal of a session to go on with it; return (journal, its Recording).
 
         What cannot be read at its end is cut off; if that is more than a torn last line, a copy is left beside it.
         """
         path = Path(path)
-        data = load(path, LARGEST_FILE, JournalError)
+        data, _ = _parted(load(path, LARGEST_FILE, JournalError))
         try:
             recording, (kept, checksum, known) = parse(data, path)
             handle = _open(path)
@@ -89,6 +92,7 @@ class Journal:
         except OSError as error:
             journal._shut()
             raise JournalError(trouble(path, "cannot take up the journal", error)) from None
+        journal.acted = True
         return journal, recording
 
     def note(self, entry):
@@ -98,6 +102,7 @@ class Journal:
             if entry.at == self._noted_at or time.monotonic() - self._waited_s < WAIT_S:
                 return
             self._waited_s = time.monotonic()
+        self.acted |= entry.what != WAIT
         self._noted_at = entry.at
         line = self._pen.entry(entry)
         if self._size + len(line) > LARGEST_FILE - LONGEST_END:
@@ -107,17 +112,24 @@ class Journal:
 
     def close(self, at, digest):
         """Write the end, so that the session counts as finished, and put all of it on the disk."""
+        self._write_last(self._pen.end(at, digest))
+
+    def leave(self, at, digest):
+        """Write where the session is and its end: without the end the next start can go on from there."""
+        self._write_last(self._pen.entry(Entry(at, WAIT)) + self._pen.end(at, digest))
+
+    def abandon(self):
+        """Leave the journal as a crash does."""
+        self._shut()
+
+    def _write_last(self, line):
         self._check()
-        self._write(self._pen.end(at, digest))
+        self._write(line)
         if self._syncing:
             self._syncing.join()
         self._sync()
         self._shut()
         self._check()
-
-    def abandon(self):
-        """Leave the journal without an end: the next start will offer to go on with it."""
-        self._shut()
 
     def _write(self, line):
         try:
@@ -163,8 +175,24 @@ class Journal:
 
 
 def unfinished(folder=None):
-    """Yield the paths of journals with acts that have no end and that nobody has open, the newest first."""
+    """Yield the paths of journals with acts that have no end and that nobody has open, the last written first."""
     return (path for path in _journals(folder) if not _is_open(path) and _is_unfinished(path))
+
+
+def left_over(folder=None):
+    """Return the path of the journal to go on with, or None.
+
+    That is one that a crash left, or else the last one with acts, unless its player has let it go.
+    """
+    return next(unfinished(folder), None) or _last_closed(folder)
+
+
+def _last_closed(folder):
+    for path in _journals(folder):
+        acts, end = _parted(b"" if _is_open(path) else _load_begun(path))
+        if AN_ACT.search(acts):
+            return path if A_DIGEST.search(end) else None
+    return None
 
 
 def finish(path):
@@ -225,9 +253,21 @@ def _is_open(path):
 
 def _is_unfinished(path):
     """Return whether a journal has acts but no end, without reading them all one by one."""
+    acts, end = _parted(_load_begun(path))
+    return not end and AN_ACT.search(acts) is not None
+
+
+def _load_begun(path):
+    """Return the bytes of a journal, or none where it has no start, without which nothing can be gone on with."""
     try:
         data = load(path, LARGEST_FILE)
-        parse(data[: data.find(b"\n") + 1], path)  # the start, without which nothing can be gone on with
+        parse(data[: data.find(b"\n") + 1], path)
     except FileError:
-        return False
-    return b'"do":"end"' not in data[-LONGEST_END:] and AN_ACT.search(data) is not None
+        return b""
+    return data
+
+
+def _parted(data):
+    """Return (what is before the line that ends a journal, that line or none)."""
+    last = data.rfind(b"\n", 0, -1) + 1
+    return (data[:last], data[last:]) if AN_END.search(data, last) else (data, b"")

@@ -10,11 +10,13 @@ import pygame
 import pytest
 from PIL import Image
 
+from game.play.app import App
 from game.play.pages import saved_scenes
 from game.play.storage import recorder
 from game.play.storage.files import demos
 from game.play.storage.gif_writer import GifWriter
 from game.play.storage.open_sessions import MOST_WAITING
+from game.play.window.window import Window
 from game.world.files.paths import asset, folder_of, numbered
 from game.world.looks.painter import Painter
 from game.world.looks.themes import NIGHT
@@ -388,8 +390,6 @@ def test_a_session_cut_off_is_offered_and_goes_on_where_it_was(player):
     player.key(pygame.K_RETURN)
     player.settle()
     assert player.session.now == at and as_new(player.world) == cells and player.session.journal
-    player.parts.close()
-    assert next(journal.unfinished(), None) is None
 
 
 @pytest.mark.parametrize(("key", "offered_again"), ((pygame.K_ESCAPE, True), (pygame.K_DELETE, False)))
@@ -455,13 +455,50 @@ def test_the_journal_of_a_paused_window_does_not_grow(player, monkeypatch):
     assert path.stat().st_size > size
 
 
-def test_leaving_ends_the_journal(player):
+@pytest.mark.parametrize("close", [(pygame.QUIT, {}), (pygame.KEYDOWN, {"key": pygame.K_q, "mod": pygame.KMOD_LCTRL})])
+def test_a_closed_window_can_be_gone_on_with_where_it_was(player, close):
+    kind, how = close
     player.parts.crash_recovery.start()
     player.click(player.pixel(20, 20))
-    player.key(pygame.K_ESCAPE)
-    player.key(pygame.K_ESCAPE)
+    player.wait(7)
+    at, cells = player.session.now, as_new(player.world)
+    player.frame(pygame.event.Event(kind, unicode="", **how), elapsed_ns=0)
     player.parts.close()
-    assert not player.parts.running and next(journal.unfinished(), None) is None
+    assert not player.parts.running
+    again = Player()
+    again.parts.crash_recovery.start()
+    again.settle()
+    again.key(pygame.K_RETURN)
+    again.settle()
+    assert again.session.now == at and as_new(again.world) == cells
+
+
+def test_a_window_in_which_nothing_was_done_leaves_nothing_to_go_on_with(player):
+    player.parts.crash_recovery.start()
+    player.wait(5)
+    player.parts.close()
+    assert journal.left_over() is None
+
+
+def test_the_rule_of_the_start_is_no_act_of_the_player():
+    app = App(Window((900, 700)), load_scene("hourglass"), p=0.3)
+    app.parts.crash_recovery.start()
+    app.parts.close()
+    assert journal.left_over() is None
+
+
+def test_what_is_discarded_brings_up_no_older_session(player):
+    for _ in range(2):
+        player = Player()
+        player.parts.crash_recovery.start()
+        player.click(player.pixel(20, 20))
+        player.parts.close()
+    player = Player()
+    player.parts.crash_recovery.start()
+    player.settle()
+    player.key(pygame.K_DELETE)
+    player.settle()
+    assert journal.left_over() is None
 
 
 def test_a_file_that_is_read_when_the_window_closes_is_not_played_any_more(player):
