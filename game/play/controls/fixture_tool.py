@@ -11,7 +11,7 @@ class FixtureTool:
     """Carries a new fixture, or the one that lies where the button goes down, and puts it where it comes up."""
 
     def __init__(self, brush, place, world):
-        self._present = world.fixtures
+        self._present, self._shape = world.fixtures, world.shape
         self._held = next((each for each in reversed(self._present) if _is_near(each, place)), None)
         self._grip = cell(place)
         self._carried = self._held or fresh(brush, place)
@@ -26,7 +26,10 @@ class FixtureTool:
     def end(self, place, straight):
         """Let go of it at a place."""
         self.go(place, straight)
-        if self._carried == self._held or (self._held is None and len(self._present) >= MOST):
+        fresh_one = self._held is None
+        if self._carried == self._held or (fresh_one and len(self._present) >= MOST):
+            return []
+        if fresh_one and not _reaches(self._carried, self._shape):
             return []
         others = tuple(each for each in self._present if each is not self._held)
         return [SetFixtures((*others, self._carried))]
@@ -41,6 +44,12 @@ def fresh(brush, place):
     column, row = cell((snap(place, brush.diameter)[0] - brush.diameter / 2, place[1]))
     sand = (brush.every, brush.colour) if brush.tool == TAP else ()
     return Fixture(brush.tool, column, row, int(brush.diameter), 1, *sand)
+
+
+def _reaches(fixture, shape):
+    """Return whether a fixture has a cell in a lattice of that shape (height, width)."""
+    left, top, right, bottom = fixture.box
+    return right > 0 and bottom > 0 and left < shape[1] and top < shape[0]
 
 
 def _is_near(fixture, place):

@@ -1,4 +1,7 @@
-"""The time bar: a thin line under the sand, from a session's start to the latest moment known; drag it."""
+"""The time bar: a thin line under the sand, from a session's start to the latest moment known; drag it.
+
+It is measured in lively time: an hour at rest takes no room on it.
+"""
 
 import numpy as np
 import pygame
@@ -6,6 +9,7 @@ import pygame
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.world.sessions.action import Flip, Load, Turn
+from game.world.sessions.lively_time import LivelyTime
 
 INSET = 16  # from the area's sides to the ends of the line
 TRACK = 3
@@ -24,7 +28,7 @@ class TimeBar:
         self.held = False
         self._hover = False
         self._x = 0  # of the pointer that holds the bar
-        self.marks = Marks()
+        self.marks, self._time = Marks(), LivelyTime()
 
     def place(self, area, theme):
         """Lie in `area` of the window from now on."""
@@ -53,14 +57,18 @@ class TimeBar:
     def goal(self, session):
         """Return the iteration under the pointer."""
         track = self.track
-        share = (self._x - track.x) / max(1, track.width - 1)
-        return round(min(max(share, 0.0), 1.0) * session.reached)
+        share = max((self._x - track.x) / max(1, track.width - 1), 0.0)
+        if share >= 1.0:
+            return session.reached
+        self._time.follow(session.timeline)
+        return min(self._time.now_at(share * self._time.up_to(session.reached)), session.reached)
 
     def drawing(self, session):
         """Return the strokes of the bar: a value that changes only when the bar looks different."""
         px, track = self.theme.px, self.track
-        reached = max(session.reached, 1)
-        here = track.x + round(min(session.now / reached, 1.0) * (track.width - 1))
+        self._time.follow(session.timeline)
+        up_to, reached = self._time.up_to, max(float(self._time.up_to(session.reached)), 1.0)
+        here = track.x + round(min(float(up_to(session.now)) / reached, 1.0) * (track.width - 1))
         lively = self.held or self._hover
         groove = look.EDGE if lively else look.GROOVE
         strokes = [(draw_list.fill, tuple(self.area), look.SUNKEN), (draw_list.box, tuple(track), groove, track.height)]
@@ -68,7 +76,7 @@ class TimeBar:
         strokes.append((draw_list.box, past, look.ACCENT if lively else look.STONE, track.height))
         self.marks.follow(session.timeline.history)
         for ats, high, colour in ((self.marks.acts, ACT, look.FAINT), (self.marks.strong, STRONG, look.ACCENT)):
-            for x in np.unique(np.minimum(ats, reached) * (track.width - 1) // reached).tolist():
+            for x in np.unique((np.minimum(up_to(ats), reached) * (track.width - 1) / reached).astype(int)).tolist():
                 mark = (track.x + x, track.y - px(2) - px(high), px(1), px(high))
                 strokes.append((draw_list.fill, mark, colour))
         radius = px(HANDLE) + (px(1) if lively else 0)

@@ -55,13 +55,6 @@ class Fixture:
         """First column and row, then those after the last."""
         return self.x, self.y, self.x + self.width, self.y + self.height
 
-    def cells_in(self, box):
-        """Yield the (column, row) of each of its cells in a box: first column and row, then those after the last."""
-        left, top, right, bottom = self.box
-        for y in range(max(top, box[1]), min(bottom, box[3])):
-            for x in range(max(left, box[0]), min(right, box[2])):
-                yield x, y
-
     @property
     def ink(self):
         """What it leaves in its cells, and which of them take it."""

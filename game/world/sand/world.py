@@ -88,9 +88,13 @@ class World:
         planes[:] = self.planes
         return World(planes, self.layout, self.iteration, self.seed, self.fixtures)
 
+    def __reduce__(self):
+        """Let `copy`, `deepcopy` and `pickle` make what `copy` does: a world that shares nothing with this one."""
+        return _again, (self.planes, self.layout, self.iteration, self.seed, self.fixtures)
+
     def flip(self):
         """Turn the lattice by 180 degrees, in place; twice is the identity."""
-        self.planes[:] = bit_planes.turned(self.planes, self.layout, 2)
+        self.planes = bit_planes.turned(self.planes, self.layout, 2)
         self.fixtures = tuple(each.turned(2, self.shape) for each in self.fixtures)
         self.activity.wake()
 
@@ -110,10 +114,6 @@ class World:
         fixtures = tuple(replace(each, x=each.x + across, y=each.y + down) for each in self.fixtures)
         layout = bit_planes.layout(*sand.shape)
         return World(bit_planes.pack(sand, walls, colours), layout, self.iteration, self.seed, fixtures)
-
-    def drop_fixtures(self, reached, box):
-        """Remove, in place, each fixture that has a cell in the box for which reached(column, row) is true."""
-        self.fixtures = tuple(each for each in self.fixtures if not any(reached(x, y) for x, y in each.cells_in(box)))
 
     def clear(self):
         """Take all sand away, with its colours, and leave the walls, in place."""
@@ -195,9 +195,13 @@ class World:
         return digest.hexdigest()
 
 
+def _again(*parts):
+    return World(*parts).copy()
+
+
 def check_cells(sand, walls):
-    """Return two (H, W) bool arrays, contiguous, or raise ValueError saying what cells must be."""
-    sand, walls = _checked_cells(sand, "sand"), _checked_cells(walls, "walls")
+    """Return two (H, W) bool arrays, contiguous, true being 1, or raise ValueError saying what cells must be."""
+    sand, walls = check_bools(sand, "sand"), check_bools(walls, "walls")
     if sand.shape != walls.shape:
         raise ValueError(f"sand and walls must have one shape, got {sand.shape} and {walls.shape}")
     if (sand & walls).any():
@@ -220,10 +224,15 @@ def check_colours(colours, sand):
     return colours
 
 
-def _checked_cells(cells, name):
+def check_bools(cells, name):
+    """Return an (H, W) bool array, contiguous, whose bytes are 0 and 1, or raise ValueError; name: what it is of.
+
+    A view of other bytes as bools may hold any, and kernels work with bytes.
+    """
     cells = np.ascontiguousarray(cells)
     if cells.dtype != np.bool_ or cells.ndim != 2:
         raise ValueError(f"{name} must be a bool array of shape (H, W), got {cells.dtype} of shape {cells.shape}")
     for side in cells.shape:
         parameters.SIDE.check(side)
-    return cells
+    octets = cells.view(np.uint8)
+    return cells if octets.max() <= 1 else octets != 0

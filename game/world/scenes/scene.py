@@ -1,7 +1,7 @@
 """A scene: the cells, the rule and the pace that one readable file describes."""
 
 import os
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from functools import cache
 from pathlib import Path
 from weakref import WeakValueDictionary
@@ -17,7 +17,7 @@ from game.world.sand import parameters
 from game.world.sand.fixtures import DRAIN, TAP
 from game.world.sand.rule import FIELDS, SCHEDULES, Rule
 from game.world.sand.sand_colours import AMBER
-from game.world.sand.world import World
+from game.world.sand.world import World, check_bools
 from game.world.scenes.cell_arrays import EMPTY, painted_cells, parted, resampled, told_guesses, written_cells
 from game.world.scenes.fixture_tables import KEYS as FIXTURE_KEYS
 from game.world.scenes.fixture_tables import checked_number, read_fixture
@@ -30,6 +30,7 @@ ORDER = (  # as shown; others follow
 )
 SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
 SIDES = ("width", "height")
+CELLS = ("sand", "walls", "colours")  # the arrays of a Scene
 KEYS = ("title", "notice", "height", "width", *SOURCES, TAP, DRAIN, "walls", "rule", "speed", "cell")
 
 _known = WeakValueDictionary()  # (shape, dtype, checksum): the cells of scenes that are still told of
@@ -62,8 +63,9 @@ class Scene:
     def __post_init__(self):
         for name in ("name", "title", "notice"):  # what files are called may hold any sign
             object.__setattr__(self, name, as_line(getattr(self, name)))
-        for name in ("sand", "walls", "colours"):
-            object.__setattr__(self, name, _shared(getattr(self, name)))
+        for name in ("sand", "walls"):
+            object.__setattr__(self, name, _shared(check_bools(getattr(self, name), name)))
+        object.__setattr__(self, "colours", _shared(self.colours))
 
     @property
     def shape(self):
@@ -75,6 +77,11 @@ class Scene:
         """Whether any of its sand has a colour, or will have one that a tap pours."""
         return self.colours is not None or any(each.colour != AMBER for each in self.fixtures)
 
+    def is_like(self, other):
+        """Return whether another scene tells the same, of the same arrays: equal ones are shared."""
+        pairs = ((each.name, getattr(self, each.name), getattr(other, each.name)) for each in fields(self))
+        return all(mine is its or (name not in CELLS and mine == its) for name, mine, its in pairs)
+
     def world(self, seed=0):
         """Return a new World with the scene's cells, at iteration 0."""
         world = World.from_cells(self.sand, self.walls, seed, self.colours)
@@ -83,8 +90,13 @@ class Scene:
 
 
 def _shared(cells):
-    """Return an equal array of another scene, if there is one, so that a scene loaded again takes no more memory."""
-    if cells is None or cells.flags.writeable or not cells.flags.c_contiguous:
+    """Return equal cells that nobody can write to: those of another scene, if there are any, to take no more memory."""
+    if cells is None:
+        return None
+    if cells.flags.writeable:
+        cells = cells.copy()
+        cells.flags.writeable = False
+    if not cells.flags.c_contiguous:
         return cells
     same = _known.setdefault((cells.shape, cells.dtype.str, crc32(cells)), cells)
     return same if np.array_equal(same, cells) else cells

@@ -2,15 +2,19 @@
 
 import math
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
 from game.core.paint.ink import ANY, EMPTY, GRAIN, WALL, Ink
-from game.core.paint.primitives import ELLIPSE, RECTANGLE, covers
-from game.core.paint.strokes import DIAMOND, ROUND, SQUARE, comes_over
+from game.core.paint.primitives import ELLIPSE, RECTANGLE
+from game.core.paint.strokes import DIAMOND, ROUND, SQUARE
+from game.world.sand.erasing import is_in_figure, is_under_brush
 from game.world.sand.grain_account import NO_GRAINS
+from game.world.sand.patch import Patch, alike
 from game.world.sand.rule import Rule
 from game.world.sand.sand_colours import AMBER, DYES
+from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import pour
 from game.world.scenes.hourglass_spec import Glass
 from game.world.scenes.scene import Scene
@@ -106,64 +110,91 @@ class Load:
     seed: int
 
 
+class Outcome(NamedTuple):
+    """What an act comes to."""
+
+    world: World  # the one given, changed in place, or another
+    rule: Rule
+    grains: tuple  # the tally of the grains that the act put into the world given, less those that it took
+    changed: bool  # whether anything about world and rule is not as it was
+
+
 def apply(action, world, rule):
     """Return (world, rule) after `action`; the world given is changed in place or replaced."""
     return perform(action, world, rule)[:2]
 
 
 def perform(action, world, rule):
-    """Return (world, rule, change) as `apply` does.
-
-    change: the tally of the grains that the act put into the world given, less those that it took.
-    """
-    change = NO_GRAINS
+    """Return the Outcome of `action`; the world given is changed in place or replaced."""
     match action:
         case Paint():
-            change = _paint(action, world)
+            return Outcome(world, rule, *_paint(action, world))
         case Draw():
-            change = _draw(action, world)
+            return Outcome(world, rule, *_draw(action, world))
         case Fill():
-            change = world.fill(*cell(action.place), Ink(MATERIALS[action.material], colour=dye(action)))
+            return Outcome(world, rule, *_fill(action, world))
         case Flip():
+            before = World(world.planes, world.layout, world.iteration, world.seed, world.fixtures)
             world.flip()
+            return Outcome(world, rule, NO_GRAINS, not alike(before, world))
         case Turn():
-            world = world.turned(action.quarters)
+            turned = world.turned(action.quarters)
+            return Outcome(turned, rule, NO_GRAINS, not alike(world, turned))
         case Reshape():
-            world, change = _reshape(action, world)
+            reshaped, grains = _reshape(action, world)
+            return Outcome(reshaped, rule, grains, not alike(world, reshaped))
         case SetFixtures():
-            world.fixtures = action.fixtures
+            before, world.fixtures = world.fixtures, action.fixtures
+            return Outcome(world, rule, NO_GRAINS, before != world.fixtures)
         case Clear():
-            change = tuple(-grains for grains in world.grains_by_colour)
-            world.clear()
+            grains = tuple(-each for each in world.grains_by_colour)
+            if any(grains):
+                world.clear()
+            return Outcome(world, rule, grains, any(grains))
         case SetRule():
-            rule = action.rule
+            return Outcome(world, action.rule, NO_GRAINS, action.rule != rule)
         case Load():
-            world, rule = action.scene.world(action.seed), action.scene.rule
-        case _:
-            raise TypeError(f"not an action: {action!r}")
-    return world, rule, change
+            loaded, loaded_rule = action.scene.world(action.seed), action.scene.rule
+            return Outcome(loaded, loaded_rule, NO_GRAINS, loaded_rule != rule or not alike(world, loaded))
+    raise TypeError(f"not an action: {action!r}")
 
 
 def _paint(paint, world):
+    """Return the tally of a stroke, and whether it changed anything."""
     start, end = snap(paint.start, paint.diameter), snap(paint.end, paint.diameter)
     kinds = 1 << KINDS[paint.only] if paint.only else taken_by(paint.material, paint.over_walls)
-    shape = SHAPES[paint.shape]
+    shape, radius = SHAPES[paint.shape], paint.diameter / 2
+    left, top, right, bottom = box(start, end)
+    far = math.ceil(radius) + 1  # no cell that the brush reaches lies further from the ends
+    before = Patch(world, (left - far, top - far, right + far, bottom + far))
     if paint.material == "erase" and not paint.only and not paint.spray:
-        radius = paint.diameter / 2
-        left, top, right, bottom = box(start, end)
-        far = math.ceil(radius) + 1  # no cell that the brush reaches lies further from the ends
-        reach = left - far, top - far, right + far, bottom + far
-        world.drop_fixtures(lambda x, y: comes_over(shape, x, y, *start, *end, radius), reach)
-    ink = Ink(MATERIALS[paint.material], kinds, paint.spray, dye(paint))
-    return world.stroke(start, end, paint.diameter, shape, ink)
+        world.fixtures = tuple(each for each in world.fixtures if not is_under_brush(each, shape, start, end, radius))
+    grains = world.stroke(
+        start, end, paint.diameter, shape, Ink(MATERIALS[paint.material], kinds, paint.spray, dye(paint))
+    )
+    return grains, before.settle(world)
 
 
 def _draw(draw, world):
+    """Return the tally of a figure, and whether it changed anything."""
     figure, cells = FIGURES[draw.figure], box(draw.start, draw.end)
+    before = Patch(world, cells)
     if draw.material == "erase" and not draw.edge:
-        world.drop_fixtures(lambda x, y: covers(figure, x, y, *cells), cells)
+        world.fixtures = tuple(each for each in world.fixtures if not is_in_figure(each, figure, cells))
     ink = Ink(MATERIALS[draw.material], taken_by(draw.material, draw.over_walls), colour=dye(draw))
-    return world.figure(figure, cells, draw.edge, ink)
+    return world.figure(figure, cells, draw.edge, ink), before.settle(world)
+
+
+def _fill(fill, world):
+    """Return the tally of a fill, and whether it changed anything."""
+    place, ink = cell(fill.place), Ink(MATERIALS[fill.material], colour=dye(fill))
+    kind = world.kind_at(*place)
+    if kind is None or (kind == ink.material and not (kind == GRAIN and (world.coloured or ink.colour))):
+        return NO_GRAINS, False
+    height, width = world.shape
+    before = Patch(world, (0, 0, width, height)) if kind == ink.material else None
+    grains = world.fill(*place, ink)
+    return grains, before is None or before.settle(world)
 
 
 def dye(action):

@@ -33,15 +33,16 @@ class Comparison(Session):
         return {each: self if each == self.schedule else self.others[each] for each in SCHEDULES}
 
     def do(self, action, join=False):
-        """Apply an action to all worlds and return whether it changed the leading one.
+        """Apply an action to all worlds and return whether it changed any, and so is recorded in all.
 
         A rule that it sets leaves each one its own schedule.
         """
         self.keep_up()
-        acted = super().do(_kept(action, self.schedule), join)
-        for schedule, other in self.others.items():
-            other.do(_kept(action, schedule), join)
-        return acted
+        acts = [(session, _kept(action, schedule)) for schedule, session in self.sessions.items()]
+        changed = any([session.timeline.happens(act) for session, act in acts])
+        for session, act in acts:
+            session._record(act, join, changed)
+        return changed
 
     def seek(self, now, budget_ns=None):
         """Go to iteration `now` in all worlds and return whether the leading one is there."""

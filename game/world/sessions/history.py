@@ -22,13 +22,14 @@ class Entry(NamedTuple):
 class Act:
     """An action in its place in the tree."""
 
-    __slots__ = ("action", "at", "before", "join", "snapshots")
+    __slots__ = ("action", "at", "before", "join", "rest_from", "snapshots")
 
     def __init__(self, action, at, before, join=False):
         self.action = action
         self.at = at  # iterations since the session began, no fewer than those of the act before
         self.before = before  # None for the root, which is no act
         self.join = join
+        self.rest_from = None  # the iteration from which on nothing moves until the next act, once that is known
         self.snapshots = ()  # moments kept between this act and the next; a list once there are any
 
 

@@ -26,7 +26,7 @@ PROFILE_COLUMNS = "column", "pile_height_cells"
 class Measurement(NamedTuple):
     """What was measured at one moment. Above and below are so of the row of Measurements."""
 
-    now: int  # iterations since the session began
+    now: int  # iterations since the scene was loaded
     seconds: float  # since measuring began
     above: int  # grains
     below: int
@@ -43,19 +43,24 @@ class Measurements:
     def __init__(self, session, row):
         self.session, self.row = session, row
         self.samples = []
+        self._loaded_at = session.timeline.moment.loaded_at
         self.heights = pile_heights(session.world, row)  # (W,) int64: the pile at the last sample
 
     def follow(self, seconds, frame_ms):
-        """Take a sample; what was sampled of a future that is left is forgotten."""
+        """Take a sample; what was sampled of a future that is left, or of another scene, is forgotten."""
         session, world = self.session, self.session.world
-        while self.samples and self.samples[-1].now >= session.now:
+        if session.timeline.moment.loaded_at != self._loaded_at:
+            self._loaded_at, self.samples = session.timeline.moment.loaded_at, []
+        while self.samples and self.samples[-1].now >= world.iteration:
             self.samples.pop()
         above, self.heights = grains_above(world, self.row), pile_heights(world, self.row)
         height, slope = int(self.heights.max()), slope_degrees(self.heights)
         act = session.timeline.history.latest(session.now)
         by_colour = world.grains_by_colour
         below = sum(by_colour) - above
-        self.samples.append(Measurement(session.now, seconds, above, below, height, slope, frame_ms, act, by_colour))
+        self.samples.append(
+            Measurement(world.iteration, seconds, above, below, height, slope, frame_ms, act, by_colour)
+        )
         if len(self.samples) > MOST:
             self.samples = _thinned(self.samples)
 

@@ -45,16 +45,27 @@ class Moment:
         return took
 
     def take(self, action):
-        """Let an act happen."""
+        """Let an act happen and return whether it changed anything."""
         start, now = time.perf_counter_ns(), self.now
-        self.world, self.rule, change = perform(action, self.world, self.rule)
-        if isinstance(action, Load):
-            self.scene, self.loaded_at, self.account = action.scene, now, GrainAccount(self.world.grains_by_colour)
-        elif any(change):
-            self.account = self.account.booked(change)
-        if isinstance(action, Reshape):
-            self.scene = scene_of(action.glass, self.rule, self.scene.speed)
+        outcome = perform(action, self.world, self.rule)
+        scene, account = self._told(action, outcome)
+        changed = outcome.changed or (scene, account) != (self.scene, self.account)
+        if changed:
+            self.world, self.rule, self.scene, self.account = outcome.world, outcome.rule, scene, account
+            if isinstance(action, Load):
+                self.loaded_at = now
         self.work_ns += time.perf_counter_ns() - start
+        return changed
+
+    def _told(self, action, outcome):
+        """Return the scene and the account after an act."""
+        if isinstance(action, Load):
+            scene = self.scene if action.scene.is_like(self.scene) else action.scene
+            return scene, GrainAccount(outcome.world.grains_by_colour)
+        scene = self.scene
+        if isinstance(action, Reshape) and action.glass != scene.glass:
+            scene = scene_of(action.glass, self.rule, scene.speed)
+        return scene, self.account.booked(outcome.grains) if any(outcome.grains) else self.account
 
 
 class Lookahead:

@@ -73,12 +73,16 @@ class Session:
 
         Return whether it changed anything, and so is recorded.
         """
-        entry = self.timeline.do(action, join)
+        return self._record(action, join, self.timeline.happens(action))
+
+    def _record(self, action, join, changed):
+        """Record an act that has just happened, if it `changed` anything, and return that."""
+        entry = self.timeline.record(action, join, changed)
         if entry:
             self._note(entry)
         if isinstance(action, Load):
             self.clock, self._paced = Clock(action.scene.speed), action.scene
-        return entry is not None
+        return changed
 
     def seek(self, now, budget_ns=None):
         """Go to iteration `now` and return whether it is reached; `frame` goes on with what the budget cut off."""

@@ -4,9 +4,9 @@ import time
 from collections import deque
 
 from game.world.sand import parameters
-from game.world.sessions.action import Clear, Draw, Paint, Reshape, SetFixtures, SetRule
 from game.world.sessions.history import Entry, History
 from game.world.sessions.moment import Lookahead, Moment
+from game.world.sessions.run_out import at_rest
 from game.world.sessions.snapshots import MEGABYTE, Snapshot, SnapshotStore, nearest
 
 # Work between two snapshots: a seek computes no more than that. Half as much doubles the memory for ten minutes of a
@@ -17,7 +17,6 @@ LONGEST_TRAIL = 16  # snapshots; a rewind needs those between here and the neare
 SHARE = 20  # a snapshot costs at most one part in so many of the work: on a huge lattice it takes long to copy
 SLICE_NS = 1_000_000  # work between two looks at the time; more overruns a frame's budget, less costs calls
 LONGEST_SLICE = 2048  # iterations: sand at rest costs nothing, and may start to move at any time
-REPEATABLE = Clear, Draw, Paint, Reshape, SetFixtures, SetRule  # done twice at one iteration, they do what they do once
 
 
 class Timeline:
@@ -30,6 +29,8 @@ class Timeline:
         self.goal = None  # the iteration of an unfinished seek
         self.reached = 0  # the last iteration known of the present line
         self.start = scene, seed  # what the session began with
+        self.rests = 0  # after how many acts, of all lines, it is known when all came to rest
+        self._settled = False  # nothing moved in the last iterations, and what that means is known
         self._here = self.history.root  # the last act that the moment has seen
         self._ahead = []  # acts of the line yet to come, the nearest last
         self.rewinding = False  # time runs backwards, every frame is an earlier moment: leave a trail on the way there
@@ -73,15 +74,23 @@ class Timeline:
 
         join: undo takes it back together with the act before. In the past a new future begins.
         """
+        return self.record(action, join, self.happens(action))
+
+    def happens(self, action):
+        """Let an act happen now and return whether it changed anything; it is still to be recorded."""
         self.catch_up()
-        if self._idle(action):
+        return self.moment.take(action)
+
+    def record(self, action, join, changed):
+        """Record the act that has just happened, as `do` does, if it `changed` anything."""
+        if not changed:
             if not join:
                 self.history.close()
             return None
         now = self.reached = self.moment.now
         act = self.history.record(action, now, join)
         self._ahead = []
-        self._meet(act)
+        self._have_seen(act)
         return Entry(now, action, act.join)
 
     def seek(self, now, budget_ns=None):
@@ -139,12 +148,6 @@ class Timeline:
             self.reached = max(self.reached, entry.at)
         self._ahead = self.history.after(self._here)
 
-    def _idle(self, action):
-        if isinstance(action, SetRule) and action.rule == self.moment.rule:
-            return True
-        repeated = self._here.at == self.moment.now and self._here.action == action
-        return repeated and isinstance(action, REPEATABLE)
-
     def _change_line(self, now, budget_ns):
         self.reached = max(self.reached, self.history.line.at)
         self.seek(now, budget_ns)
@@ -155,7 +158,7 @@ class Timeline:
         snapshot = self._on_trail(now) or nearest(target, now)
         if not self._leads_to(target, now) or (snapshot and snapshot.now > self.moment.now):
             self.moment = snapshot.moment() if snapshot else Moment.start(*self.start)
-            self._here = snapshot.act if snapshot else self.history.root
+            self._here, self._settled = snapshot.act if snapshot else self.history.root, False
             self._kept_work_ns = self.moment.work_ns
         self._ahead = self.history.after(self._here)
 
@@ -185,11 +188,25 @@ class Timeline:
         wanted = min(LONGEST_SLICE, 2 * self._slice, int(SLICE_NS / self._iteration_ns))
         self._slice = some = min(end - self.moment.now, max(1, wanted))
         self._iteration_ns = max(1.0, self.moment.run(some) / some)
+        self._note_rest()
         self._keep_now_and_then()
 
     def _meet(self, act):
         self.moment.take(act.action)
-        self._here = act
+        self._have_seen(act)
+
+    def _note_rest(self):
+        """Note that nothing moves any more until the next act, where the last iterations have shown it first."""
+        world, before = self.moment.world, self._settled
+        self._settled = world.activity.settled
+        if not self._settled or before or self._here.rest_from is not None:
+            return
+        if not world.fixtures or at_rest(world, self.moment.rule):
+            self._here.rest_from = self.moment.now
+            self.rests += 1
+
+    def _have_seen(self, act):
+        self._here, self._settled = act, False
         self._iteration_ns, self._slice = float(SLICE_NS), 1  # what rested may move now
         self._keep_now_and_then()
 

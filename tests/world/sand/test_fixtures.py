@@ -153,7 +153,7 @@ def test_amber_goes_without_saying_so_that_older_sessions_keep_their_names():
 def test_the_eraser_takes_the_fixtures_it_comes_over():
     kept, gone = Fixture(TAP, 2, 2, 5), Fixture(DRAIN, 2, 12, 9)
     for act in (Paint("erase", (9.0, 9.0), (9.0, 14.0), 3), Draw("ellipse", "erase", (8.5, 9.5), (14.5, 14.5))):
-        world, _, change = perform(act, furnished(1, kept, gone), RULE)
+        world, _, change, _ = perform(act, furnished(1, kept, gone), RULE)
         assert world.fixtures == (kept,) and sum(change) < 0
     places = (9.0, 9.0), (9.0, 14.0)
     for act in (Paint("sand", *places, 3), Clear(), Paint("erase", *places, 3, only="wall")):

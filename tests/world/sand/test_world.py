@@ -1,5 +1,7 @@
 """The world's public face."""
 
+import copy
+import pickle
 import subprocess
 import sys
 
@@ -7,8 +9,9 @@ import numpy as np
 import pytest
 
 import game
-from game import Rule, World, advance
-from tests.cells import random_world, rows_of, world_of
+from game import Rule, Scene, World, advance, density
+from game.world.sand.fixtures import Fixture
+from tests.cells import coloured, random_world, rows_of, world_of
 
 
 def test_importing_game_needs_no_window():
@@ -47,6 +50,41 @@ def test_a_copy_goes_its_own_way():
     advance(copy, Rule(), 1)
     assert rows_of(world) == ["o.", ".."] and world.iteration == 0
     assert rows_of(copy) == ["..", "o."] and copy.iteration == 1
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda world: pickle.loads(pickle.dumps(world))])
+def test_every_way_to_copy_gives_a_world_that_shares_nothing(copied):
+    world = coloured(random_world(np.random.default_rng(1), 30, 140, seed=3), np.random.default_rng(2))
+    world.fixtures = (Fixture("tap", 3, 4, 2),)
+    advance(world, Rule(), 5)
+    before, twin = world.digest(), copied(world)
+    assert twin.digest() == before and twin.planes.ctypes.data % 64 == 0
+    advance(twin, Rule(), 5)
+    assert world.digest() == before and world.iteration == 5
+    advance(world, Rule(), 5)
+    assert world.digest() == twin.digest()
+
+
+@pytest.mark.parametrize("true", [2, 128, 255])
+@pytest.mark.parametrize("cut", [(slice(None), slice(None)), (slice(None, None, -2), slice(1, None, 3))])
+def test_a_true_of_any_byte_is_true(true, cut):
+    cells = np.random.default_rng(4).integers(0, 3, (60, 150))
+    plain = (cells == 1)[cut], (cells == 2)[cut]
+    odd = tuple((each * np.uint8(true)).view(bool)[cut] for each in (cells == 1, cells == 2))
+    for each in odd:
+        each.flags.writeable = False
+    world, wanted = World.from_cells(*odd), World.from_cells(*plain)
+    assert world.digest() == wanted.digest() and world.grains == plain[0].sum()
+    assert (density(*odd, Rule(), 3, runs=1) == density(*plain, Rule(), 3, runs=1)).all()
+    scene = Scene("odd", "Odd", "", *odd, Rule(), 60.0, 4)
+    assert scene.sand.view(np.uint8).max() == 1 and scene.world().digest() == wanted.digest()
+
+
+def test_a_scene_keeps_the_cells_it_was_given():
+    sand, walls = np.ones((3, 4), bool), np.zeros((3, 4), bool)
+    scene = Scene("own", "Own", "", sand, walls, Rule(), 60.0, 4)
+    sand[:] = False
+    assert scene.world().grains == 12 and not scene.sand.flags.writeable
 
 
 def test_the_digest_names_everything_that_decides_the_future():

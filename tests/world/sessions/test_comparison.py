@@ -163,3 +163,16 @@ def test_an_undo_on_the_way_to_a_far_moment_leaves_the_worlds_alike(three):
     for each, session in alone.items():
         session.timeline.run(30_000)
         assert three.sessions[each].world.digest() == session.world.digest()
+
+
+def test_an_act_that_changes_any_of_the_worlds_is_one_of_all(three):
+    three.timeline.run(60)
+    three.keep_up()
+    leading, other = three.world, three.others["paper"].world
+    row, column = np.argwhere(other.sand & ~leading.sand)[0].tolist()
+    dot = Paint("erase", (column, row), (column, row), 1, only="sand")
+    before = digests(three)
+    assert three.do(dot) and not three.do(dot)
+    assert digests(three)[three.schedule] == before[three.schedule] and digests(three) != before
+    assert len({len(each.timeline.history.story()) for each in three.sessions.values()}) == 1
+    assert three.undo() and digests(three) == before

@@ -10,7 +10,7 @@ import pytest
 from game import Rule, load_scene
 from game.world.sand.measure import grains_above, pile_heights, slope_degrees
 from game.world.sessions import measurements
-from game.world.sessions.action import Clear, Flip, Paint, SetRule
+from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule
 from game.world.sessions.measurements import COLUMNS, Measurements
 from game.world.sessions.session import Session
 
@@ -82,3 +82,14 @@ def test_a_long_story_is_thinned_and_keeps_its_end_its_sum_and_its_slowest_frame
     assert max(each.frame_ms for each in one.samples) == 50.0
     steps = np.diff([each.now for each in one.samples])
     assert sum(one.flows()[1:] * steps) == pytest.approx(one.samples[0].above - one.samples[-1].above)
+
+
+def test_a_fresh_scene_is_measured_from_its_own_start(glass):
+    session, one = glass
+    session.timeline.run(500)
+    one.follow(0.0, 1.0)
+    session.do(Load(session.scene, 7))
+    one.follow(1.0, 1.0)
+    session.timeline.run(20)
+    one.follow(2.0, 1.0)
+    assert [each.now for each in one.samples] == [0, 20]

@@ -38,7 +38,7 @@ def sample():
     session = Session(SCENES[1], seed=2**64 - 1)
     session.timeline.run(10)
     for number in range(6):
-        session.do(Paint("sand", (3.2 + number, 4.0), (4.2 + number, 4.0), 3), join=number > 0)
+        session.do(Paint("wall", (3.2 + number, 4.0), (4.2 + number, 4.0), 5), join=number > 0)
         session.timeline.run(number % 2)
     acts = [Flip(), SetRule(Rule(0.1, 1 / 3, schedule="margolus")), Clear(), Load(load_scene("paper"), 3)]
     acts += [Load(SCENES[2], 4), Load(SCENES[2], 5), Paint("wall", (5, 5), (9.5, 6), 4, True), Flip()]

@@ -8,16 +8,19 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import Rule, advance, load_scene
+from game.world.sand.fixtures import Fixture
 from game.world.sessions import snapshots as snapshots
 from game.world.sessions import timeline as timelines
-from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule
+from game.world.sessions.action import Clear, Draw, Fill, Flip, Load, Paint, Reshape, SetFixtures, SetRule
 from game.world.sessions.history import Entry
 from game.world.sessions.recording import Recording
 from game.world.sessions.session import Session
+from tests.cells import small_glass
 from tests.world.random_sessions import SCENES, actions, obey, plain_world, played, plays, state
 
 steady = settings(derandomize=True, deadline=None, max_examples=40)
 DOT = Paint("sand", (5.0, 5.0), (9.0, 5.0), 4)
+GLASS = small_glass(40)
 BAR = Paint("wall", (2.0, 12.0), (20.0, 12.0), 3)
 
 
@@ -180,6 +183,52 @@ def test_nothing_is_joined_to_an_act_that_was_left():
     assert session.undo() and session.world.digest() == SCENES[1].world().digest()
 
 
+@steady
+@given(plays, actions)
+def test_what_is_recorded_is_what_changes_the_world_or_the_rule(play, action):
+    session = played(play)
+    before, coloured = state(session), session.world.coloured
+    heard, reached, line = len(session.journal.entries), session.reached, session.timeline.history.line
+    acted = session.do(action)
+    assert acted == (state(session) != before)
+    if not acted:
+        assert session.timeline.history.line is line and session.reached == reached
+        assert len(session.journal.entries) == heard and session.world.coloured == coloured
+
+
+TAP = SetFixtures((Fixture("tap", 3, 4),))
+
+
+@pytest.mark.parametrize(
+    ("before", "act"),
+    [
+        ([], Paint("sand", (-50.0, 5.0), (-40.0, 5.0), 4, colour="teal")),
+        ([DOT], Paint("sand", (6.0, 5.0), (7.0, 5.0), 2)),
+        ([Clear()], Paint("erase", (5.0, 5.0), (9.0, 5.0), 1, only="sand")),
+        ([], Draw("rectangle", "sand", (-9.5, -9.5), (-3.5, -3.5))),
+        ([Draw("rectangle", "wall", (2.5, 2.5), (8.5, 8.5))], Draw("ellipse", "wall", (3.5, 3.5), (7.5, 7.5))),
+        ([Draw("rectangle", "wall", (2.5, 2.5), (8.5, 8.5))], Fill("wall", (3.5, 3.5))),
+        ([Draw("rectangle", "sand", (2.5, 2.5), (8.5, 8.5), colour="teal")], Fill("sand", (99.5, 3.5))),
+        ([Clear()], Clear()),
+        ([TAP], TAP),
+        ([Draw("rectangle", "erase", (-1.5, -1.5), (40.5, 40.5))], Flip()),
+        ([Reshape(GLASS)], Reshape(GLASS)),
+        ([], Load(SCENES[1], 0)),
+    ],
+)
+def test_what_changes_nothing_is_no_act_and_leaves_the_future_alone(before, act):
+    session = Session(SCENES[1])
+    for each in before:
+        session.do(each)
+    here = state(session)
+    session.timeline.run(20)
+    session.do(BAR)
+    session.seek(0)
+    line = session.timeline.history.line
+    assert not session.do(act) and state(session) == here
+    assert session.timeline.history.line is line and session.reached == 20
+
+
 def test_an_act_that_changes_nothing_is_no_step():
     session = Session(SCENES[1])
     for _ in range(5):
@@ -207,7 +256,7 @@ def test_undo_goes_back_to_the_act_if_the_player_likes():
 
 def test_acts_of_one_iteration_keep_their_order():
     session = Session(SCENES[1])
-    acts = [DOT, BAR, Clear(), BAR, DOT, Flip()]
+    acts = [DOT, BAR, Clear(), DOT, Flip()]
     for act in acts:
         session.do(act)
     after = state(session)
