@@ -54,10 +54,12 @@ class Recorder:
 
     def shoot_sand(self):
         """Save a picture of the sand, its cells as many whole pixels wide as they are on the screen."""
-        world = self._sessions.now.world.copy()
+        shown, streams = self._sessions.now.world, self._sessions.now.streams
+        world = shown.copy()
+        streams = streams.copy(world) if streams and streams.follows(shown) else None
         most = LARGEST_PICTURE // max(world.shape)
         scale = max(1, min(round(self._display.stage.view.cell), most))
-        self._save_picture(partial(image_of_sand, world, scale, *self._looks()))
+        self._save_picture(partial(image_of_sand, world, scale, *self._looks(), streams))
 
     def _save_picture(self, draw):
         """Save the image that draw() returns, beside the frames."""
@@ -166,8 +168,11 @@ def _image_of(surface):
     return Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))
 
 
-def image_of_sand(world, scale, colours, walls):
-    """Return an image of a world, `scale` pixels to a cell, drawn in bands for the sake of memory."""
+def image_of_sand(world, scale, colours, walls, streams=None):
+    """Return an image of a world, `scale` pixels to a cell, drawn in bands for the sake of memory.
+
+    streams: the MotionSamples of the world, if falling sand is drawn by them.
+    """
     from PIL import Image
 
     height, width = (side * scale for side in world.shape)
@@ -176,7 +181,7 @@ def image_of_sand(world, scale, colours, walls):
     for top in range(0, height, max(1, BAND // width)):
         pixels = np.empty((min(max(1, BAND // width), height - top), width), np.uint32)
         painter.look_through(View(world.shape, 0, -top, width, height, (0, 0, width, len(pixels))))
-        painter.draw(world, pixels)
+        painter.draw(world, pixels, streams=streams)
         image.paste(Image.fromarray(_rgb(pixels)), (0, top))
     return image
 

@@ -61,7 +61,9 @@ class Renderer:
         elif frame.passing:
             return []
         session, self._overlays = frame.session, frame.overlays
-        streams = None if session.paused else session.streams
+        streams = None if self._display.stage.blocks else session.streams  # arrows point at the cells themselves
+        if streams:
+            streams.take_acts(session.world)
         overlay = self._lay_over if frame.overlays else None
         return self._display.stage.draw(session.world, self._marks(frame), overlay, frame.now_s, streams)
 

@@ -7,7 +7,7 @@ import numpy as np
 from game.core import planes as bit_planes
 from game.core.draw.motion_blur import PLANES, SAMPLES, take_sample
 
-FROM_SPEED = 120  # iterations per second: below two in a frame, each one can be seen by itself
+FROM_SPEED = 60  # iterations per second: below one in a frame, each one can be seen by itself
 MOST_CELLS = 2**22  # in a larger lattice it takes too much of a frame, and cells are too small for stripes to show
 SPARE = 0.05  # of a frame's budget: what a cycle of iterations may take beyond it
 NO_SAMPLES = np.empty((0, PLANES, 0), np.uint64)
@@ -33,6 +33,24 @@ class MotionSamples:
     def follows(self, world):
         """Return whether the samples lead up to this moment of the world."""
         return self._knows(world) and world.iteration == self._iteration
+
+    def copy(self, world):
+        """Return the same samples, as those of a copy of the world."""
+        twin = MotionSamples()
+        twin.samples, twin.moving = self.samples.copy(), self.moving.copy()
+        twin._world, twin._iteration, twin._stamp = world, self._iteration, world.activity.stamp
+        return twin
+
+    def take_acts(self, world):
+        """Take what was changed from outside since the last iteration to have been so in all samples."""
+        activity, where = world.activity, world.layout
+        if not self.follows(world) or activity.woken <= self._stamp:
+            return
+        band_words, sand = activity.band_rows * where.stride, world.planes[bit_planes.SAND : bit_planes.SAND + PLANES]
+        for band in np.flatnonzero(activity.changed > self._stamp).tolist():
+            words = slice(band * band_words, (band + 1) * band_words + where.stride)
+            self.samples[:, :, words] = sand[:, words]
+        self._stamp = activity.stamp
 
     def run(self, timeline, iterations, budget_ns=None):
         """Run the timeline as its `run` does, with a sample taken after each of the last iterations.

@@ -14,7 +14,7 @@ from game.world.looks.painter import Painter, texture
 from game.world.looks.themes import NIGHT, THEMES, dyed_palette, rgb
 from game.world.looks.view import View
 from game.world.sessions.action import Flip, Paint, apply
-from game.world.sessions.session import Session
+from game.world.sessions.session import FRAMES_PER_SECOND, Session
 from tests.cells import coloured, grains_over_a_pile_below_a_band, random_world
 from tests.eyes import SIGHTS, difference, lab
 
@@ -142,3 +142,29 @@ def test_even_the_thinnest_stream_can_be_seen_in_every_theme(colours, sight):
         for ground, streams in zip((AIR, INSIDE, GLEAM), count, strict=False):
             air = lab(colours.air[ground].dark, sight)
             assert min(difference(lab(each, sight), air) for each in streams) > 9
+
+
+def test_what_is_erased_while_time_is_held_leaves_no_ghost_and_other_streams_stay():
+    world, streams = random_world(np.random.default_rng(8), 2200, 40, sand=0.1, walls=0.0), MotionSamples()
+    run(world, streams, 6)
+    apply(Paint("erase", (20.5, 20.5), (20.5, 40.5), 30), world, RULE)
+    streams.take_acts(world)
+    band = 2 * world.activity.band_rows
+    pixels, plain = drawn(world, streams), drawn(world)
+    assert (pixels[:80] == plain[:80]).all() and (pixels[band + 2 :] != plain[band + 2 :]).any()
+
+
+def test_a_copy_of_the_samples_draws_a_copy_of_the_world_and_goes_its_own_way():
+    world, streams = random_world(np.random.default_rng(9), 60, 80, sand=0.2, walls=0.0), MotionSamples()
+    run(world, streams, 6)
+    still = world.copy()
+    kept, wanted = streams.copy(still), drawn(world, streams)
+    run(world, streams, 3)
+    assert (drawn(still, kept) == wanted).all() and (wanted != drawn(still)).any()
+
+
+def test_sand_that_moves_in_every_frame_is_drawn_as_streams():
+    assert MotionSamples.are_worth((100, 100), FRAMES_PER_SECOND)
+    for name in ("paper", "city"):
+        scene = load_scene(name)
+        assert MotionSamples.are_worth(scene.shape, scene.speed), name
