@@ -86,7 +86,8 @@ class App:
         if not display.page:
             self.parts.block_overlay.prepare()
         said = (
-            self.parts.frame_step.words
+            self.parts.sessions.words
+            or self.parts.frame_step.words
             or self.parts.recorder.said
             or self.parts.rewind.words
             or self.parts.fast_forward.words

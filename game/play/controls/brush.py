@@ -1,5 +1,7 @@
 """The brush: the tool in hand, and the gesture that it makes. Each gesture is done to the session as it goes on."""
 
+from functools import partial
+
 import pygame
 
 from game.play.controls.fixture_tool import FixtureTool, fresh
@@ -7,7 +9,7 @@ from game.play.controls.gestures import Press, Span, Trail
 from game.play.view.outlines import box_outline, brush_outline, mark
 from game.world.sand import parameters
 from game.world.sand.sand_colours import AMBER, COLOURS, DYES
-from game.world.sessions.action import KINDS, SHAPES, USUAL_SHAPE, box, snap
+from game.world.sessions.action import KINDS, SHAPES, USUAL_SHAPE, Draw, Fill, box, snap
 
 MATERIALS = ("sand", "wall", "erase")
 TOOLS = {  # the gesture that each makes
@@ -164,5 +166,11 @@ class Brush:
         """Let acts of the gesture happen; undo takes all of them back together."""
         join = self.acted
         for act in acts:
-            self.acted = self._sessions.do(act, join) or self.acted
+            if isinstance(act, Fill | Draw):
+                self._sessions.slowly("Painting …", partial(self._act, act, join))
+            else:
+                self._act(act, join)
             join = True
+
+    def _act(self, act, join):
+        self.acted = self._sessions.do(act, join) or self.acted

@@ -212,9 +212,10 @@ class FastForward:
             return
         gone = f"{at - self._start:,} iterations, computed in {took_s:.2f} s."
         said = {SETTLING: "At rest after", AWAITING: "A grain passes the neck after"}[self._mode]
-        self._notices.say("Nothing can move here." if at == self._start else f"{said} {gone}")
         if self._mode == AWAITING:
             session.paused = True
+            gone += " Time stands still: Space lets it go on."
+        self._notices.say("Nothing can move here." if at == self._start else f"{said} {gone}")
         self.stop()
 
 

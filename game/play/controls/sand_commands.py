@@ -21,12 +21,11 @@ class SandCommands:
 
     def flip(self):
         """Turn the glass over: at once in the lattice, and in half a second on the screen."""
-        if self._turn_over(2):
-            self._timer.turned()
+        self._sessions.slowly("Turning the glass over …", self._flip)
 
     def turn(self, quarters):
         """Turn the table by quarters, clockwise."""
-        self._turn_over(int(quarters))
+        self._sessions.slowly("Turning the table …", lambda: self._turn_over(int(quarters)))
 
     def tilt(self, way):
         """Tilt the table a step to the left (-1) or to the right (1)."""
@@ -41,10 +40,7 @@ class SandCommands:
 
     def restart(self):
         """Start the scene again, with the friction and at the speed that are set."""
-        sessions, rule, speed = self._sessions, self._sessions.now.rule, self._timer.own_speed
-        if sessions.do(Load(sessions.now.scene, sessions.now.seed)):
-            sessions.do(SetRule(rule), join=True)
-            sessions.now.clock.speed = speed
+        self._sessions.slowly("Starting again …", self._restart)
 
     def clear(self):
         """Take all sand away."""
@@ -52,16 +48,7 @@ class SandCommands:
 
     def compare(self):
         """Show this world under all three schedules, from now on; again, go back to it as it was."""
-        now = self._sessions.now
-        if isinstance(now, Comparison):
-            self._sessions.leave()
-        elif self._sessions.ready():
-            session = Comparison(present(now), now.seed)
-            session.paused, session.clock.speed = now.paused, self._timer.own_speed
-            self._journals.begin(session, [])
-            self._sessions.open(session, keep=True)
-            words = "The same sand under three schedules. Shift+H or Esc goes back."
-            self._notices.say(words, holds=lambda: self._sessions.now is session)
+        self._sessions.slowly("Getting the three schedules ready …", self._compare)
 
     # --- the brush ---
 
@@ -98,6 +85,30 @@ class SandCommands:
     def larger_brush(self):
         """Grow the brush."""
         self._brush.resize(1)
+
+    def _flip(self):
+        if self._turn_over(2):
+            self._timer.turned()
+
+    def _restart(self):
+        sessions, rule, speed = self._sessions, self._sessions.now.rule, self._timer.own_speed
+        if sessions.do(Load(sessions.now.scene, sessions.now.seed)):
+            sessions.do(SetRule(rule), join=True)
+            sessions.now.clock.speed = speed
+        if sessions.now.paused:
+            self._notices.say("The scene is at its start, and time stands still: Space lets it go on.")
+
+    def _compare(self):
+        now = self._sessions.now
+        if isinstance(now, Comparison):
+            self._sessions.leave()
+        elif self._sessions.ready():
+            session = Comparison(present(now), now.seed)
+            session.paused, session.clock.speed = now.paused, self._timer.own_speed
+            self._journals.begin(session, [])
+            self._sessions.open(session, keep=True)
+            words = "The same sand under three schedules. Shift+H or Esc goes back."
+            self._notices.say(words, holds=lambda: self._sessions.now is session)
 
     def _turn_over(self, quarters):
         """Turn the lattice by quarters, and let its old picture turn, unless motion is to be reduced.

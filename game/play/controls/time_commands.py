@@ -55,13 +55,20 @@ class TimeCommands:
 
         Only a key pressed anew does that, not one held.
         """
-        if self._sessions.now.undo(self.undo_goes_back, SEEK_NS):
-            return
-        if self._keys.repeats or not self._sessions.leave():
-            self._notices.say("Nothing to undo.")
+        repeats = self._keys.repeats
+        self._sessions.slowly("Undoing …", lambda: self._undo(repeats))
 
     def redo(self):
         """Bring back what was undone last, or the future that was left."""
+        self._sessions.slowly("Redoing …", self._redo)
+
+    def _undo(self, repeats):
+        if self._sessions.now.undo(self.undo_goes_back, SEEK_NS):
+            return
+        if repeats or not self._sessions.leave():
+            self._notices.say("Nothing to undo.")
+
+    def _redo(self):
         if not self._sessions.now.redo(self.undo_goes_back, SEEK_NS):
             self._notices.say("Nothing to redo.")
 

@@ -60,9 +60,12 @@ class Files:
             self._photo_import.show(what)
         else:
             scene, seed = what if isinstance(what, SeededScene) else (what, self._sessions.now.seed)
-            opened = scene.problem or f"Opened {name}. Ctrl+Z takes you back."
-            waits = f"{name} was not opened: the sand is still being computed."
-            self._notices.say(opened if self._sessions.open_scene(scene, seed) else waits)
+            self._sessions.slowly(f"Opening {name} …", partial(self._open_scene, scene, seed, name), scene.shape)
+
+    def _open_scene(self, scene, seed, name):
+        opened = scene.problem or f"Opened {name}. Ctrl+Z takes you back."
+        waits = f"{name} was not opened: the sand is still being computed."
+        self._notices.say(opened if self._sessions.open_scene(scene, seed) else waits)
 
 
 def read(path):

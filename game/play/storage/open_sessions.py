@@ -6,6 +6,7 @@ from game.world.scenes.scene import load_scene, scene_title
 from game.world.sessions.action import Load
 from game.world.sessions.session import SEEK_NS
 
+LARGE = 2**23  # cells: an act on all of a larger lattice takes longer than a frame, and so is announced
 MOST_WAITING = 4  # when more sessions wait, the second one is dropped, never the first, the player's own
 
 
@@ -18,10 +19,30 @@ class Sessions:
         self._journals, self._notices, self._on_switch = journals, notices, on_switch
         self._waiting = []
         self._has_waited = False  # in this frame, for the sand to be computed
+        self.words = ""  # what is about to be done, for the status line
+        self._announced = None  # … and how
 
     def begin_frame(self):
-        """Let `ready` wait again."""
+        """Let `ready` wait again, and do what the last frame has announced."""
         self._has_waited = False
+        self._keep_word()
+
+    def slowly(self, words, act, shape=None):
+        """Call act(), which takes long on a large lattice: there in the next frame, when this one has said so.
+
+        shape: (height, width) of the lattice, if it is not the one that is played.
+        """
+        self._keep_word()
+        height, width = shape or self.now.world.shape
+        if height * width < LARGE:
+            act()
+        else:
+            self.words, self._announced = words, act
+
+    def _keep_word(self):
+        act, self.words, self._announced = self._announced, "", None
+        if act:
+            act()
 
     def ready(self):
         """Return whether the session's sand is computed; wait for that a little, once a frame, else say so."""
@@ -46,8 +67,9 @@ class Sessions:
 
     def open_scene(self, scene, seed):
         """Put a scene in place of this one, which can be undone; return whether that was done."""
-        if not self.do(Load(scene, seed)):
+        if not self.ready():
             return False
+        self.now.do(Load(scene, seed))
         self._on_switch()
         trim_heap()
         return True

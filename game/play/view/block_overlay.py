@@ -13,7 +13,7 @@ from game.play.ui import theme as look
 from game.world.sand.block_events import MOVES, coming_events, happened, offset
 from game.world.sand.crop import CropBox
 
-LEAST_CELL = 12  # pixels: in smaller cells no arrow can be seen
+LEAST_CELL = 8  # pixels: in smaller cells no arrow can be seen
 LEAST_WORDS = 28  # pixels to a cell, for the chance to be written into a block
 SLOW = 8  # iterations per second: slow enough to follow
 SMOOTHING = 4  # sprites are drawn this many times larger and shrunk

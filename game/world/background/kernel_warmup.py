@@ -106,7 +106,7 @@ def _draw(walls, cell, coloured=False):
     for _ in range(2):
         world.iteration += 1
         streams.note(world)
-    side = 8 * min(cell, 1)  # more pixels than cells are drawn as one pixel for each is
+    side = max(1, 8 * min(cell, 1))  # more pixels than cells are drawn as one pixel for each is
     painter = Painter(View(world.shape, 0, 0, side, side), walls=walls)
     painter.draw(world, np.zeros((8, 8), np.uint32), streams=streams)
 

@@ -3,6 +3,8 @@
 import pygame
 import pytest
 
+from game.play.storage import open_sessions
+from game.play.storage.recorder import image_of_sand
 from game.world.scenes.scene import load_scene
 from game.world.sessions.action import Flip
 from game.world.sessions.session import BUDGET_NS, SEEK_NS, Session
@@ -251,3 +253,55 @@ def test_a_frame_waits_once_for_a_moment_that_is_far_whatever_is_done_in_it(glas
     glass.frame(pygame.event.Event(pygame.MOUSEBUTTONDOWN, pos=pos, button=1), *moves)
     assert len(budgets) >= 2 and sum(budgets) <= SEEK_NS + BUDGET_NS
     assert not glass.session.timeline.history.story()
+
+
+def test_what_the_pointer_does_beside_the_lattice_leaves_the_future_alone(player):
+    player.wait(30)
+    player.drag(player.pixel(20, 20), player.pixel(40, 20))
+    player.hold_time()
+    player.wait(1)
+    end, line = player.session.reached, player.session.timeline.history.line
+    player.session.seek(5)
+    player.parts.brush.diameter = 1
+    for tool in (pygame.K_d, pygame.K_v, pygame.K_u, pygame.K_j):
+        player.key(tool)
+        player.drag(player.pixel(-3, -2), player.pixel(-2, -2))
+    assert player.session.reached == end and player.session.timeline.history.line is line
+
+
+def test_time_at_rest_takes_no_room_on_the_bar(player):
+    player.drag(player.pixel(20, 20), player.pixel(40, 20))
+    player.wait(200)
+    strokes = player.parts.time_bar.drawing(player.session)
+    player.session.timeline.run(50_000)
+    assert player.parts.time_bar.drawing(player.session) == strokes
+
+
+@pytest.mark.parametrize(("code", "mod", "done"), [(pygame.K_f, 0, "Turning"), (pygame.K_h, SHIFT, "three schedules")])
+def test_what_takes_long_is_announced_by_a_frame_before(player, monkeypatch, code, mod, done):
+    player.drag(player.pixel(20, 20), player.pixel(40, 20))
+    player.hold_time()
+    player.wait(1)
+    monkeypatch.setattr(open_sessions, "LARGE", 100)
+    session, before = player.session, player.world.digest()
+    player.press(code, mod=mod)
+    assert done in str(player.parts.renderer._line)
+    assert player.session is session and player.world.digest() == before
+    player.frame()
+    assert player.session is not session or player.world.digest() != before
+    assert done not in str(player.parts.renderer._line)
+
+
+def test_streams_stay_smooth_while_time_is_held_and_in_the_picture_of_the_sand(glass, monkeypatch):
+    glass.session.clock.speed = 60.0
+    glass.wait(150)
+    glass.hold_time()
+    glass.parts.display.refresh()
+    glass.wait(1)
+    assert len(glass.parts.display.stage._painter._samples)
+    images = []
+    monkeypatch.setattr(glass.parts.recorder, "_save_picture", lambda draw: images.append(draw()))
+    glass.key(pygame.K_F12, mod=SHIFT)
+    scale = images[0].width // glass.world.shape[1]
+    cells = image_of_sand(glass.world, scale, glass.parts.display.colours, glass.session.scene.made_of)
+    assert cells.size == images[0].size and cells.tobytes() != images[0].tobytes()

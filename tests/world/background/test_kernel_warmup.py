@@ -3,6 +3,10 @@
 import subprocess
 import sys
 
+import pytest
+
+from game.world.background import kernel_warmup
+
 SCRIPT = """
 from game import headless
 from game.core import step
@@ -43,3 +47,9 @@ assert len(playing) == 3
 
 def test_no_kernel_is_compiled_inside_a_frame():
     subprocess.run([sys.executable, "-c", SCRIPT], check=True, timeout=600)
+
+
+@pytest.mark.parametrize("cell", [1 / 1000, 1 / 17, 0.4, 1, 20])
+def test_drawing_is_made_ready_however_small_cells_are(cell):
+    for _, act in kernel_warmup.drawing_steps("stone", cell):
+        act()
