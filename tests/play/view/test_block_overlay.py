@@ -71,6 +71,7 @@ def test_a_step_leaves_trails_until_something_else_happens(close):
     assert len(blocks.trails.rows) + len(blocks.stays.rows) == len(coming.rows) > 0
     close.frame()
     assert blocks.trails is not None
+    close.parts.brush.material = "wall"
     close.click((300, 300))
     assert blocks.trails is None
     close.key(pygame.K_PERIOD, ".")
