@@ -308,3 +308,13 @@ def test_in_a_comparison_rest_is_that_of_all_worlds(watcher, code):
     for twin in twins:
         twin.timeline.run(max(0, watcher.session.now - MOST_TOGETHER))
     assert not all(at_rest(each.world, each.rule) for each in twins)
+
+
+def test_a_run_to_the_next_flow_and_a_restart_after_it_say_that_time_stands_still(glass):
+    glass.press(pygame.K_RIGHT, mod=pygame.KMOD_LSHIFT)
+    glass.wait(5)
+    glass.settle()
+    glass.wait(1)
+    assert glass.session.paused and "Space" in glass.parts.notices.text
+    glass.key(pygame.K_r)
+    assert glass.world.iteration == 0 and "at its start, and time stands still" in glass.parts.notices.text
