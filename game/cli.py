@@ -5,9 +5,12 @@ import sys
 from importlib.util import find_spec
 from pathlib import Path
 
+from game import process
 from game.world.sand import parameters
 
 SCENE = "hourglass"
+OF_SCENE = ("scene", "p", "seed", "size")  # options that a replay decides itself, …
+ALSO_OF_HEADLESS = ("frames",)  # … and without a window this one too
 STUDY_NEEDS = ("matplotlib", "rich", "scipy")  # packages of the `study` extra …
 BENCH_NEEDS = ("rich",)  # … of which the bench needs this one, …
 PICTURE_NEEDS = ("matplotlib",)  # … and this one for its picture
@@ -19,23 +22,37 @@ class _Parser(argparse.ArgumentParser):
         """Say what is wrong in one line and leave with status 2."""
         self.exit(2, f"{self.prog}: {message} (--help lists what there is)\n")
 
+    def _print_message(self, message, file=None):
+        """Print, and raise OSError where that is not possible: argparse would keep it to itself."""
+        if message:
+            (file or sys.stderr).write(message)
+
 
 def main(arguments=None):
     """Run the command that `arguments` (default: the process's own) name and return the exit status."""
-    arguments = sys.argv[1:] if arguments is None else list(arguments)
-    try:
-        if arguments[:1] == ["headless"]:
-            options = _headless_parser().parse_args(arguments[1:])
-            return _headless(options) if options.replay is None else _replay(options)
-        if arguments[:1] == ["bench"]:
-            return _bench(_bench_parser().parse_args(arguments[1:]))
-        if arguments[:1] == ["study"]:
-            return _study(_study_parser().parse_args(arguments[1:]))
-        return _play(_play_parser().parse_args(arguments))
-    except BrokenPipeError:
-        return 0
-    except KeyboardInterrupt:
-        return 130
+    return process.run(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
+
+
+def _command(arguments):
+    if arguments[:1] == ["headless"]:
+        options = _headless_parser().parse_args(arguments[1:])
+        _refuse_beside_replay(options, ALSO_OF_HEADLESS)
+        return _headless(options) if options.replay is None else _replay(options)
+    if arguments[:1] == ["bench"]:
+        return _bench(_bench_parser().parse_args(arguments[1:]))
+    if arguments[:1] == ["study"]:
+        return _study(_study_parser().parse_args(arguments[1:]))
+    options = _play_parser().parse_args(arguments)
+    _refuse_beside_replay(options)
+    return _play(options)
+
+
+def _refuse_beside_replay(options, also=()):
+    """Leave with status 2 and one line where a replay is asked for and something that it decides itself."""
+    if options.replay is not None:
+        given = [name for name in (*OF_SCENE, *also) if getattr(options, name) is not None]
+        if given:
+            raise SystemExit(_refuse(f"--replay and --{given[0]} do not go together: the recording decides that"))
 
 
 def _setting(each):
@@ -108,7 +125,9 @@ def _headless_parser():
     parser = _Parser(prog="sandglass headless", description="Play frames without a window and time them.")
     _scene_options(parser)
     parser.add_argument(
-        "--frames", type=_setting(parameters.FRAMES), default=parameters.FRAMES.default, help=parameters.FRAMES.meaning
+        "--frames",
+        type=_setting(parameters.FRAMES),
+        help=f"{parameters.FRAMES.meaning} (default: {parameters.FRAMES.default})",
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument("--replay", metavar="FILE", help="compute a recorded session to its end")
@@ -166,9 +185,19 @@ def _headless(options):
     from game import headless
 
     scene, seed = _load(options)
-    report = headless.run(scene, options.frames, options.p, seed)
+    frames = parameters.FRAMES.default if options.frames is None else options.frames
+    report = headless.run(scene, frames, options.p, seed)
     print(headless.text(report, options.json))
+    _warn_of_cache()
     return headless.status(report)
+
+
+def _warn_of_cache():
+    """Say in one line that kernels could not be kept, or read, where that is so."""
+    from game.world.background.kernel_warmup import cache_trouble
+
+    if words := cache_trouble():
+        print(f"sandglass: {words}", file=sys.stderr)
 
 
 def _load_replay(options):
@@ -189,6 +218,7 @@ def _replay(options):
 
     report = headless.replay(_load_replay(options))
     print(headless.replay_text(report, options.json))
+    _warn_of_cache()
     return headless.replay_status(report)
 
 
@@ -198,10 +228,11 @@ def _bench(options):
     if missing := options.out and _missing(PICTURE_NEEDS):
         return _refuse(f"--out draws a picture and needs {missing}: {STUDY_EXTRA}")
     from game.study.bench import command
+    from game.world.files.atomic import FileError
 
     try:
         return command.run(options.quick, options.json, options.out)
-    except OSError as error:
+    except FileError as error:
         return _refuse(f"the tables cannot be written: {error}")
 
 
@@ -209,6 +240,7 @@ def _study(options):
     if missing := _missing(STUDY_NEEDS):
         return _refuse(f"the study needs {missing}: {STUDY_EXTRA}")
     from game.study import run
+    from game.world.files.atomic import FileError
 
     parts = options.part or list(run.PARTS)
     unknown = [name for name in parts if name not in run.PARTS]
@@ -216,7 +248,7 @@ def _study(options):
         return _refuse(f"the study has no part {unknown[0]!r}; its parts are {', '.join(run.PARTS)}")
     try:
         return run.run(options.quick, options.out, parts)
-    except OSError as error:
+    except FileError as error:
         return _refuse(f"the report cannot be written: {error}")
 
 
@@ -266,11 +298,12 @@ def _play(options):
 
     settings = _settings({"ui_scale": options.ui_scale})
     try:
-        return loop.play(scene, settings, seed, options.p, options.cell, options.fullscreen, recording, options.timer)
+        loop.play(scene, settings, seed, options.p, options.cell, options.fullscreen, recording, options.timer)
+        return process.leave_threads(0)
     except loop.NoDisplayError as error:
         print(f"sandglass: no display to open a window on ({error}); running headless instead")
         if recording:
             options.json = False
             return _replay(options)
-        options.frames, options.json = parameters.FRAMES.default, False
+        options.frames, options.json = None, False
         return _headless(options)

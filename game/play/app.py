@@ -5,6 +5,7 @@ import time
 from game.play.parts import Parts
 from game.play.view.frame_stats import FrameTime, own_ns
 from game.play.view.renderer import Frame
+from game.world.background.kernel_warmup import cache_trouble
 from game.world.files.settings import Settings
 from game.world.sand.rule import Rule
 from game.world.sessions.action import SetRule
@@ -16,6 +17,7 @@ class App:
     def __init__(self, window, scene, seed=0, p=None, settings=None):
         self.parts = Parts(window, scene, seed, settings or Settings(), self._switch)
         self._hears = None, True, window.fullscreen  # page, panel and screen of the last frame
+        self._told_of_cache = False  # that kernels cannot be kept, or read
         if p is not None:
             self.parts.sessions.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
 
@@ -72,11 +74,11 @@ class App:
             self.parts.let_go()
 
     def _tell(self, now_s):
-        """Show what there is to say: trouble with the journal, and lines that come and go."""
-        session = self.parts.sessions.now
-        if session.trouble:
-            self.parts.notices.say(f"{session.trouble}; the sand goes on, unrecorded", trouble=True)
-            session.trouble = None
+        """Show what there is to say: trouble with journal and kernels, and lines that come and go."""
+        self.parts.journals.update(self.parts.sessions.now, now_s)
+        if not self._told_of_cache and cache_trouble():
+            self._told_of_cache = True
+            self.parts.notices.say(cache_trouble())
         if self.parts.notices.pass_time(now_s):
             self.parts.display.refresh()
 

@@ -5,22 +5,28 @@ import time
 import pygame
 
 from game.play.app import App
+from game.play.frame_wait import FrameWait
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.window.allocator import freeze_objects, return_freed_memory
 from game.play.window.layout import Layout, first_scale, first_size, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
+from game.process import ending_within, is_asked_to_end, noting_signals
 from game.world.background.compile_worker import StepThread, steps_to_play
+from game.world.files.atomic import drop_parts
+from game.world.files.paths import clear_user_parts
 from game.world.looks.view import View
-from game.world.sessions.session import FRAMES_PER_SECOND
 
 __all__ = ["NoDisplayError", "play"]
+
+CLOSING_S = 2.0  # the longest that the end waits for what is being written
 
 
 def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording=None, timer_s=None):
     """Play `scene`, or a Recording, in a window until the player quits; raise NoDisplayError if none can be opened.
 
-    timer_s: seconds that the timer is started with, if any.
+    timer_s: seconds that the timer is started with, if any. Threads may still be at work afterwards: who ends the
+    process ends them, by `leave_threads`.
     """
     return_freed_memory()
     pygame.font.init()
@@ -32,23 +38,29 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures)
     worker = StepThread(first)
     try:
-        if _make_ready(window, theme, worker):
-            worker = StepThread(later)
-            app = App(window, scene, seed, p, settings)
-            app.parts.crash_recovery.start()
-            if recording:
-                app.parts.files.play(recording, recording.scene.title)
-            if timer_s is not None:
-                _start_timer(app, timer_s)
-            run(app, worker)
-            pygame.quit()
-            app.parts.close()
+        with noting_signals():
+            if _make_ready(window, theme, worker):
+                worker = StepThread(later)
+                app = App(window, scene, seed, p, settings)
+                _begin(app, recording, timer_s)
+                run(app, worker)
+                pygame.quit()
+                with ending_within(CLOSING_S, drop_parts):
+                    app.parts.close()
     finally:
         pygame.quit()
         if companion:
             companion.close()
         worker.stop()
-    return 0
+
+
+def _begin(app, recording, timer_s):
+    app.parts.background.do(clear_user_parts)
+    app.parts.crash_recovery.start()
+    if recording:
+        app.parts.files.play(recording, recording.scene.title)
+    if timer_s is not None:
+        _start_timer(app, timer_s)
 
 
 def _size(scene, settings, cell, theme):
@@ -66,24 +78,24 @@ def _start_timer(app, timer_s):
 
 def run(app, later=None):
     """Run frames until the player quits; later: the StepThread at what its first frames do not need, if any."""
-    pace = pygame.time.Clock()
+    wait, events = FrameWait(), pygame.event.get()
     before = time.perf_counter_ns()
-    while app.parts.running:
+    while app.parts.running and not is_asked_to_end():
         now = time.perf_counter_ns()
         pointer = pygame.mouse.get_pos() if pygame.mouse.get_focused() else None
-        app.frame(pygame.event.get(), now - before, now / 1e9, pointer)
+        app.frame(events, now - before, now / 1e9, pointer)
         before = now
         if later and later.wait(0):
             freeze_objects()
             later = None
-        pace.tick(FRAMES_PER_SECOND)
+        events = wait.events(app.parts.at_rest, not pygame.display.get_active())
 
 
 def _make_ready(window, theme, worker):
     """Show a splash that says what a StepThread is at until it is done; return whether the player stayed."""
     steps = worker.steps
     while not worker.wait(1 / 30):
-        if any(event.type == pygame.QUIT for event in pygame.event.get()):
+        if is_asked_to_end() or any(event.type == pygame.QUIT for event in pygame.event.get()):
             return False
         number = min(worker.done, len(steps) - 1)
         words = f"Compiling {steps[number][0]} … ({number + 1} of {len(steps)}, once on this machine)"

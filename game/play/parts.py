@@ -37,7 +37,7 @@ from game.play.storage.settings_saver import SettingsSaver
 from game.play.timer.chime import Chime
 from game.play.timer.glow import Glow
 from game.play.timer.run_out_planner import RunOutPlanner
-from game.play.timer.timer import Timer
+from game.play.timer.timer import RUNNING, Timer
 from game.play.ui.widgets import Ui
 from game.play.view.block_overlay import BlockOverlay
 from game.play.view.dialog import Dialog
@@ -157,6 +157,20 @@ class Parts:
         holders = self.brush, self.pointer, self.time_bar, self.camera, self.rewind, self.fast_forward, self.panel.ui
         for each in (*holders, *self.cards):
             each.let_go()
+
+    @property
+    def at_rest(self):
+        """Whether nothing goes on: no sand moves, nothing is held, and nothing is shown that comes and goes."""
+        session = self.sessions.now
+        goes_on = (
+            not (session.arrived and (session.paused or session.settled)),
+            self.keys.any_down or self.brush.painting or self.time_bar.held,
+            self.timer.state == RUNNING or self.fast_forward.words,
+            self.recorder.said or self.forecasting.thread.working,
+            self.display.stage.turn or self.gallery.shown,
+            any(each.shown for each in (self.glow, self.camera.badge, self.notices)),
+        )
+        return not any(goes_on)
 
     def quit(self):
         """Play no further frame."""

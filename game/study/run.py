@@ -16,6 +16,7 @@ from game.study.report.markdown import write
 from game.study.report.report import DISAGREES, Report, Section, count_verdicts
 from game.study.summary import summary
 from game.study.trade import part as trade
+from game.world.files.atomic import make_folder
 
 PARTS = {
     "exact": exact,
@@ -46,9 +47,9 @@ class Study:
 def run(quick=False, folder=Path("study"), parts=tuple(PARTS)):
     """Run the parts named, write the report to `folder` and return 1 if a row disagrees, else 0.
 
-    Raises OSError if the folder cannot be written to.
+    Raises FileError if the folder cannot be written to.
     """
-    folder.mkdir(parents=True, exist_ok=True)  # before the work: a folder that cannot be made would waste it
+    make_folder(folder)  # before the work: a folder that cannot be made would waste it
     study = Study(quick, Terminal())
     report = Report("study", "How right the sand is", quick)
     for name in parts:

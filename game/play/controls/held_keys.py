@@ -24,6 +24,11 @@ class HeldKeys:
         """Return whether a key is held since an earlier frame, or for a command."""
         return key in self._down
 
+    @property
+    def any_down(self):
+        """Whether any key is held."""
+        return bool(self._down)
+
     def went_down_here(self, key):
         """Return whether a key that is held went down in the session that is played."""
         return self._down[key] is self._sessions.now

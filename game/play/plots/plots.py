@@ -120,7 +120,8 @@ class Plots:
             save_as_new(numbered(path.with_name(f"{path.stem} profile.csv")), csv(PROFILE_COLUMNS, profile))
             return path
 
-        self._background.do(work, lambda path: self._notices.say(f"Saved as {path}, with the profile beside it"))
+        say = self._notices.say
+        self._background.do(work, lambda path: say(f"Saved as {path}, with the profile beside it"), writes=True)
 
     # --- the cards ---
 

@@ -49,7 +49,7 @@ class CrashRecovery:
         self._notices.say(recording.problem or "Your session is back, paused. Space resumes it.")
 
     def _discard(self, path):
-        self._background.do(partial(journal.finish, path))
+        self._background.do(partial(journal.finish, path), writes=True)
 
 
 def _left_over():

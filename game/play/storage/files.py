@@ -35,7 +35,7 @@ class Files:
         def work():
             return save_new("scenes", still.scene.name, ".png", picture_bytes(still))
 
-        self._background.do(work, lambda path: self._notices.say(f"Saved as {path}"))
+        self._background.do(work, lambda path: self._notices.say(f"Saved as {path}"), writes=True)
 
     def open(self, path):
         """Open a scene, a replay, a saved scene or any picture."""

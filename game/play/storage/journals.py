@@ -1,7 +1,12 @@
 """The journals: every session of the window is recorded in a file as it goes, so that a crash loses nothing."""
 
+from contextlib import suppress
+
 from game.world.files.atomic import FileError
+from game.world.sessions.history import WAIT, Entry
 from game.world.sessions.journal import Journal
+
+AGAIN_S = 5.0  # from one try to begin a lost journal anew to the next
 
 
 class Journals:
@@ -10,6 +15,8 @@ class Journals:
     def __init__(self, say):
         self._say = say
         self._kept = False
+        self._lost = None  # the session whose journal has stopped
+        self._next_s = 0.0  # the earliest time to begin a lost journal anew
 
     def keep(self):
         """Keep a journal of every session that begins from now on."""
@@ -20,12 +27,26 @@ class Journals:
         if not self._kept:
             return
         try:
-            session.journal = Journal.begin(*session.timeline.start)
-            for entry in entries:
-                session.journal.note(entry)
+            session.journal = _begun(session, entries)
             session.journal.acted = False
         except FileError as error:
-            session.journal, session.trouble = None, str(error)
+            session.trouble = str(error)
+
+    def update(self, session, now_s):
+        """Say that a session's journal cannot be gone on with, and begin it anew once there is room again."""
+        if session.trouble:
+            self._say(f"{session.trouble}; the sand goes on, unrecorded", trouble=True)
+            session.trouble, self._lost, self._next_s = None, session, now_s + AGAIN_S
+        if session is not self._lost or not session.arrived or now_s < self._next_s:
+            return
+        self._next_s = now_s + AGAIN_S
+        lost = session.lost_journal
+        with suppress(FileError):
+            session.journal = _begun(session, session.timeline.history.story())
+            session.lost_journal = self._lost = None
+            if lost:
+                lost.unlink(missing_ok=True)
+            self._say("The journal is kept again.")
 
     def close(self, session):
         """End a session's journal."""
@@ -53,3 +74,17 @@ class Journals:
 def _digest(session):
     """Return the digest of a session's world, or "" while another moment is being computed."""
     return "" if session.timeline.goal is not None else session.world.digest()
+
+
+def _begun(session, entries):
+    """Return a new journal of all that was done in a session; raise FileError, and leave nothing, if it fails."""
+    journal = Journal.begin(*session.timeline.start)
+    try:
+        for entry in entries:
+            journal.note(entry)
+        journal.note(Entry(session.now, WAIT))
+    except FileError:
+        with suppress(OSError):
+            journal.path.unlink()
+        raise
+    return journal

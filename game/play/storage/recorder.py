@@ -70,7 +70,7 @@ class Recorder:
             draw().save(file, "PNG")
             return save_new("pictures", name, ".png", file.getvalue())
 
-        self._background.do(work, lambda path: self._notices.say(f"Picture saved as {path}"))
+        self._background.do(work, lambda path: self._notices.say(f"Picture saved as {path}"), writes=True)
 
     def toggle(self):
         """Record what follows, or end that."""
@@ -82,7 +82,7 @@ class Recorder:
         self._frames = frames = queue.SimpleQueue()  # unbounded, so that putting never waits
         self._since_s = self._last_s = None
         work = partial(_write, session.scene.name, self._film, iter(frames.get, None))
-        self._background.do(work, self._say_where, partial(self._give_up, frames))
+        self._background.do(work, self._say_where, partial(self._give_up, frames), writes=True)
 
     def stop(self):
         """End the recording of what follows, if one goes on."""
@@ -118,7 +118,8 @@ class Recorder:
         self._share = 0.0
         again = _again(session.timeline, ats)
         frames = self._counted(film, again, len(ats))
-        self._background.do(partial(_write, session.scene.name, film, frames, self._forget_share), self._say_where)
+        work = partial(_write, session.scene.name, film, frames, self._forget_share)
+        self._background.do(work, self._say_where, writes=True)
 
     def _counted(self, film, worlds, count):
         for number, world in enumerate(worlds, 1):

@@ -31,12 +31,12 @@ class SettingsSaver:
             self._since_s = now_s
         elif now_s - self._since_s >= DELAY_S and not self._saving:
             self._since_s, self._saving = None, True
-            self._background.do(partial(self._save, settings.take_unsaved()))
+            self._background.do(partial(self._save, settings.take_unsaved()), writes=True)
 
     def close(self):
         """Save what is left, and what could not be saved before."""
         if self._settings.unsaved or self._settings.owed:
-            self._background.do(self._settings.take_unsaved())
+            self._background.do(self._settings.take_unsaved(), writes=True)
 
     def _save(self, save):
         try:

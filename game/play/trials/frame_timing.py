@@ -17,6 +17,7 @@ from game.play.app import App
 from game.play.ui.theme import Theme
 from game.play.window import layout
 from game.play.window.window import Window
+from game.process import leave_threads
 from game.world.background.kernel_warmup import CELLS, later_steps, steps
 from game.world.files.settings import Settings
 from game.world.sand import parameters
@@ -211,6 +212,7 @@ def main():
             options.zoom,
         )
     print(json.dumps(report, indent=None if options.json else 2))
+    leave_threads(0)
 
 
 if __name__ == "__main__":

@@ -2,7 +2,10 @@
 
 import queue
 import threading
+from contextlib import suppress
 from functools import partial
+
+import pygame
 
 from game.world.files.atomic import FileError
 
@@ -16,15 +19,18 @@ class Background:
         """`report(error)` is called where work failed on a file or for lack of memory."""
         self._report = report
         self._callbacks = queue.SimpleQueue()
-        self._threads = []
+        self._threads, self._writers = [], []
 
     @property
     def busy(self):
         """Whether any work goes on, or a callback waits."""
         return any(thread.is_alive() for thread in self._threads) or not self._callbacks.empty()
 
-    def do(self, work, then=None, otherwise=None):
-        """Call `work()` in a thread; at the next `update` call then(its result), or otherwise() if it failed."""
+    def do(self, work, then=None, otherwise=None, writes=False):
+        """Call `work()` in a thread; at the next `update` call then(its result), or otherwise() if it failed.
+
+        `writes`: it writes a file, and so is waited for at the end.
+        """
 
         def run():
             callback = otherwise
@@ -38,9 +44,13 @@ class Background:
             finally:
                 if callback:
                     self._callbacks.put(callback)
+                with suppress(pygame.error):  # no window is open
+                    pygame.event.post(pygame.event.Event(pygame.USEREVENT))  # the next frame may wait for an event
 
         thread = threading.Thread(target=run, daemon=True)
         self._threads = [*(each for each in self._threads if each.is_alive()), thread]
+        if writes:
+            self._writers = [*(each for each in self._writers if each.is_alive()), thread]
         thread.start()
 
     def update(self):
@@ -49,7 +59,7 @@ class Background:
             self._callbacks.get()()
 
     def finish(self):
-        """Wait for all work, and drop its callbacks: those they would tell are gone."""
-        for thread in self._threads:
+        """Wait for what writes, leave the rest alone, and drop all callbacks: those they would tell are gone."""
+        for thread in self._writers:
             thread.join()
         self._callbacks = queue.SimpleQueue()

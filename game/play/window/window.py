@@ -20,7 +20,6 @@ ROOM_FOR_DECORATION = (24, 80)  # pixels of the desktop that are left for the ti
 SWITCH_S = 1.0  # within which a switch to or from full screen is done
 SLOW_FLIP_MS = 3.0  # a flip that takes longer goes through software OpenGL: writing to the window is far cheaper
 TITLE = "Sandglass"
-NAME = "sandglass"
 INVISIBLE = ("offscreen", "dummy")  # drivers that SDL falls back on where there is no screen
 
 
@@ -196,7 +195,6 @@ def _start_display():
     """Start the display; refuse a driver without a screen unless the user asked for it by name."""
     asked_for = os.environ.get("SDL_VIDEODRIVER")
     os.environ.setdefault("SDL_WINDOWS_DPI_AWARENESS", "permonitorv2")  # else Windows stretches the window's pixels
-    os.environ.setdefault("SDL_VIDEO_X11_WMCLASS", NAME)  # by which a Linux desktop finds the icon
     screens = os.environ.get("DISPLAY") or os.environ.get("WAYLAND_DISPLAY")
     if sys.platform == "linux" and not asked_for and not screens:
         raise NoDisplayError("neither DISPLAY nor WAYLAND_DISPLAY is set")

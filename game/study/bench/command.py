@@ -19,6 +19,7 @@ from game.study.bench.plan import FULL, QUICK
 from game.study.report.console import Terminal
 from game.study.report.markdown import as_dict, write
 from game.study.report.report import Report
+from game.world.files.atomic import make_folder
 
 TABLES = (
     table_one.paper_table,
@@ -35,11 +36,11 @@ TABLES = (
 def run(quick=False, as_json=False, folder=None, plan=None):
     """Run the bench and return the exit status: 0, or 1 where an implementation moved sand elsewhere than the twin.
 
-    folder: where the tables go as Markdown and JSON, and the picture, if anywhere. Raises OSError before anything is
+    folder: where the tables go as Markdown and JSON, and the picture, if anywhere. Raises FileError before anything is
     measured if it cannot be made.
     """
     if folder:
-        folder.mkdir(parents=True, exist_ok=True)
+        make_folder(folder)
     terminal, report = Terminal(quiet=as_json), Report("bench", "How fast the sand is", quick)
     terminal.say(f"{report.machine}\n")
     try:

@@ -4,8 +4,13 @@ A thread would not do: compiling holds the interpreter's lock, so frames would b
 """
 
 import multiprocessing
+import os
+import signal
 import sys
 import threading
+from contextlib import contextmanager
+from multiprocessing import resource_tracker
+from multiprocessing.connection import wait
 
 from game.core import jit
 from game.world.background import kernel_warmup
@@ -17,8 +22,9 @@ class CompileWorker:
     def __init__(self, compile_all, *needs):
         context = multiprocessing.get_context("spawn")
         self._hear, tell = context.Pipe(duplex=False)
-        self._process = context.Process(target=compile_all, args=(tell, *needs), daemon=True)
-        self._process.start()
+        self._process = context.Process(target=_work_for_parent, args=(compile_all, tell, *needs), daemon=True)
+        with _without_interrupts():
+            self._process.start()
         self._closed = False
         tell.close()
 
@@ -40,8 +46,34 @@ class CompileWorker:
         return not self._closed
 
 
+@contextmanager
+def _without_interrupts():
+    """Let processes that are started meanwhile never hear Ctrl+C, which a terminal gives to all of them."""
+    if not hasattr(signal, "pthread_sigmask"):
+        yield
+        return
+    resource_tracker.ensure_running()  # which would let them be heard again
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
+def _work_for_parent(work, *arguments):
+    """Call `work(*arguments)` as long as the process that wants it is alive."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    threading.Thread(target=_end_with_parent, daemon=True).start()
+    work(*arguments)
+
+
+def _end_with_parent():
+    wait([multiprocessing.parent_process().sentinel])
+    os._exit(1)
+
+
 class StepThread:
-    """Does steps in a thread of its own. It is to be stopped before the interpreter ends: the compiler would crash."""
+    """Does steps in a thread of its own. While it is at one the interpreter must not end: the compiler would crash."""
 
     def __init__(self, steps):
         self.steps, self.done = steps, 0
@@ -55,9 +87,8 @@ class StepThread:
         return not self._thread.is_alive()
 
     def stop(self):
-        """Leave the steps that have not begun, and wait for the one that has."""
+        """Leave the steps that have not begun, and do not wait for the one that has."""
         self._stopped = True
-        self._thread.join()
 
     def _work(self):
         for _, act in self.steps:

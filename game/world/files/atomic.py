@@ -158,6 +158,14 @@ def _write(path, data, put):
         raise trouble(path, "cannot save", error if isinstance(error, OSError) else OSError(str(error))) from None
 
 
+def make_folder(folder):
+    """Make a folder, and those it lies in, where they are not there; raise FileError."""
+    try:
+        Path(folder).mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise trouble(folder, "cannot make the folder", error) from None
+
+
 def load(path, most, error=FileError):
     """Return the bytes of the ordinary file at `path`, at most `most` of them; raise `error` for anything else."""
     try:

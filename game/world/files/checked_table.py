@@ -60,7 +60,11 @@ class CheckedTable:
         wanted = f"one line of text, at most {LONGEST_LINE} characters"
         value = self.values[key] if key in self.values else as_line(default)
         if not isinstance(value, str) or not value.isprintable() or len(value) > LONGEST_LINE:
-            raise self.error(key, shown(value), wanted)
+            hidden = next((sign for sign in value if not sign.isprintable()), None) if isinstance(value, str) else None
+            found = (
+                shown(value) if hidden is None else f"U+{ord(hidden):04X}, a sign that nobody sees, in {shown(value)}"
+            )
+            raise self.error(key, found, wanted)
         return value
 
     def choice(self, key, options, default=None):

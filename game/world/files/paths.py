@@ -7,7 +7,7 @@ from pathlib import Path
 
 from platformdirs import user_config_dir, user_data_dir
 
-from game.world.files.atomic import clear_parts, save_as_new, trouble
+from game.world.files.atomic import clear_parts, make_folder, save_as_new
 
 PACKAGE = Path(__file__).resolve().parents[2]
 LONGEST_NAME = 40  # characters of a file's name, without time and suffix
@@ -39,10 +39,7 @@ def new_name(kind, name, suffix):
     Raises FileError.
     """
     folder = folder_of(kind)
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise trouble(folder, "cannot make the folder", error) from None
+    make_folder(folder)
     plain = re.sub(r"[^\w-]+", "-", _without_time(name)).strip("-")[:LONGEST_NAME] or "sand"
     stem = f"{plain} {datetime.now():%Y-%m-%d %H.%M.%S}"
     return numbered(folder / f"{stem}{suffix}")

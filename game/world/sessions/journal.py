@@ -61,10 +61,16 @@ class Journal:
             stamp = datetime.now(UTC).strftime("%Y-%m-%dT%H-%M-%S.%f")
             path = folder / f"{stamp}-{os.getpid()}{SUFFIX}"
             journal = cls(path, _open(path, os.O_CREAT | os.O_EXCL), LineWriter())
+            if not lock(journal._handle):
+                journal._shut()
+                raise OSError("another window has it open")
         except OSError as error:
             raise JournalError(trouble(folder, "cannot keep a journal", error)) from None
-        lock(journal._handle)
-        journal._write(journal._pen.header(scene, seed))
+        try:
+            journal._write(journal._pen.header(scene, seed))
+        except JournalError:
+            path.unlink(missing_ok=True)
+            raise
         return journal
 
     @classmethod

@@ -22,6 +22,7 @@ class Session:
         self.clock = Clock(scene.speed)
         self.due = self.done = 0  # iterations of the last frame: wanted, and run
         self.journal = None  # the Journal that hears of every act, if any
+        self.lost_journal = None  # the path of the one that could not be gone on with
         self.trouble = None  # why the journal has stopped, in one line; the sand goes on
         self.streams = None  # the MotionSamples that watch the last iterations of a frame, if any
         self._paced = scene  # whose pace the clock keeps
@@ -186,4 +187,4 @@ class Session:
         try:
             self.journal.note(entry)
         except FileError as error:
-            self.trouble, self.journal = str(error), None
+            self.trouble, self.lost_journal, self.journal = str(error), self.journal.path, None

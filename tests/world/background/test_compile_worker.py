@@ -42,7 +42,7 @@ def test_who_waits_for_a_companion_is_let_go_and_compiles_nothing(tmp_path):
     assert not worker.wait(0.05)
     companion.close()
     worker.stop()
-    assert worker.wait(0) and not seen
+    assert worker.wait(9) and not seen
 
 
 def test_a_stopped_worker_ends_the_step_it_is_at_and_begins_no_other():
@@ -50,4 +50,4 @@ def test_a_stopped_worker_ends_the_step_it_is_at_and_begins_no_other():
     worker = StepThread([("a step", lambda: (time.sleep(0.1), seen.append(1)))] * 3)
     time.sleep(0.02)
     worker.stop()
-    assert seen == [1] and worker.wait(0)
+    assert worker.wait(9) and seen == [1]

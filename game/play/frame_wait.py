@@ -1,0 +1,33 @@
+"""The wait between two frames: until the next is due, or where nothing goes on until something happens."""
+
+import pygame
+
+from game.world.sessions.session import FRAMES_PER_SECOND
+
+CALM_FRAMES = 30  # with nothing going on, after which events are waited for: half a second for tips and fades to come
+CALM_MS = 250  # the longest wait for an event; less takes more of a battery, more lets what tells the time jerk
+HIDDEN_MS = 50  # the same while nobody sees the window and sand moves in it: a frame still holds what is due
+
+
+class FrameWait:
+    """Waits as long as what goes on in a window allows, and keeps the event that has ended a wait."""
+
+    def __init__(self):
+        self._clock = pygame.time.Clock()
+        self._calm = 0  # frames in a row with nothing going on
+
+    def events(self, at_rest, hidden):
+        """Wait for the next frame and return the events until then.
+
+        at_rest: nothing goes on, so that only an event can change what is seen. hidden: nobody sees it.
+        """
+        longest_ms = (CALM_MS if at_rest else HIDDEN_MS) if hidden else CALM_MS
+        if hidden or (at_rest and self._calm >= CALM_FRAMES):
+            events = [pygame.event.wait(longest_ms), *pygame.event.get()]
+            self._clock.tick()
+        else:
+            self._clock.tick(FRAMES_PER_SECOND)
+            events = pygame.event.get()
+        events = [event for event in events if event.type != pygame.NOEVENT]
+        self._calm = 0 if events or not at_rest else self._calm + 1
+        return events

@@ -1,0 +1,96 @@
+"""At rest, paused or out of sight the window waits for events; what moves, is timed or is awaited goes on."""
+
+import time
+from types import SimpleNamespace
+
+import pygame
+import pytest
+
+from game.play import frame_wait, loop
+from game.play.frame_wait import CALM_FRAMES, CALM_MS, FrameWait
+from game.play.view.hints import HINTS
+
+
+class Waits:
+    """Counts the waits for events and for frames, and waits for none."""
+
+    def __init__(self, monkeypatch):
+        self.for_events, self.for_frames = [], 0
+        monkeypatch.setattr(frame_wait.pygame.event, "wait", self._event)
+        monkeypatch.setattr(frame_wait.pygame.time, "Clock", lambda: self)
+
+    def _event(self, ms):
+        self.for_events.append(ms)
+        return pygame.event.Event(pygame.NOEVENT)
+
+    def tick(self, rate=0):
+        self.for_frames += bool(rate)
+
+
+@pytest.fixture
+def waits(monkeypatch):
+    return Waits(monkeypatch)
+
+
+def know_all_hints(player):
+    player.parts.settings["hints_seen"] = tuple(hint.name for hint in HINTS)
+    player.wait(10)
+    pygame.event.clear()
+
+
+def play(player, waits, frames):
+    """Play frames as the loop does, and return how many of them waited for an event."""
+    wait, before = FrameWait(), len(waits.for_events)
+    for _ in range(frames):
+        player.frame(*wait.events(player.parts.at_rest, hidden=False))
+    return len(waits.for_events) - before
+
+
+def test_a_window_at_rest_or_paused_waits_for_events(player, waits):
+    know_all_hints(player)
+    assert play(player, waits, 100) == 100 - CALM_FRAMES and set(waits.for_events) == {CALM_MS}
+    player.drag(player.pixel(20, 20), player.pixel(60, 20))
+    assert play(player, waits, 20) == 0
+    player.hold_time()
+    assert play(player, waits, 100) > 0
+
+
+def test_a_timer_and_a_held_key_are_never_kept_waiting(player, waits):
+    know_all_hints(player)
+    player.hold_time()
+    player.press(pygame.K_s, "s")
+    assert play(player, waits, 100) == 0
+    player.release(pygame.K_s)
+    player.parts.timer.start()
+    assert play(player, waits, 100) == 0
+
+
+def test_a_hidden_window_plays_few_frames(waits):
+    pygame.display.init()
+    wait = FrameWait()
+    for at_rest in (True, False):
+        wait.events(at_rest, hidden=True)
+    assert waits.for_events == [CALM_MS, frame_wait.HIDDEN_MS] and waits.for_frames == 0
+
+
+def test_an_event_that_ends_a_wait_is_heard(monkeypatch):
+    pygame.display.init()
+    key = pygame.event.Event(pygame.KEYDOWN, key=pygame.K_s)
+    monkeypatch.setattr(frame_wait.pygame.event, "wait", lambda ms: key)
+    assert FrameWait().events(at_rest=True, hidden=True)[0] is key
+
+
+def test_what_was_done_beside_the_frames_ends_a_wait(player):
+    pygame.event.clear()
+    player.parts.background.do(lambda: time.sleep(0.05))
+    since = time.monotonic()
+    assert pygame.event.wait(5000).type == pygame.USEREVENT and time.monotonic() - since < 4
+
+
+def test_the_loop_waits_as_the_toy_allows(monkeypatch, player):
+    asked = []
+    wait = SimpleNamespace(events=lambda *told: asked.append(told) or [])
+    monkeypatch.setattr(loop, "FrameWait", lambda: wait)
+    monkeypatch.setattr(player.app, "frame", lambda *_: len(asked) == 3 and player.parts.quit())
+    loop.run(player.app)
+    assert len(asked) == 4 and all(len(told) == 2 for told in asked)
