@@ -3,6 +3,4 @@
 import os
 
 os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")  # what we print is ours
-os.environ.setdefault(
-    "SDL_VIDEO_X11_WMCLASS", "sandglass"
-)  # by which a Linux desktop finds the icon; before pygame sets it
+os.environ.setdefault("SDL_VIDEO_X11_WMCLASS", "sandglass")  # by which a desktop finds the icon

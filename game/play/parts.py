@@ -179,9 +179,9 @@ class Parts:
     def close(self):
         """End every session's journal and wait for what is being written."""
         self.recorder.stop()
-        self.planner.close()
-        self.forecasting.close()
         self.sessions.close()
         self.settings_saver.close()
         self.background.finish()
+        self.planner.close()
+        self.forecasting.close()
         self.audio.close()

@@ -52,15 +52,16 @@ class Window:
     def surface(self):
         """The window's pixels, as pygame draws on them.
 
-        Where the window is smaller than LEAST_SURFACE, they are a surface of that size, so that all parts have room.
+        Where the window is smaller than LEAST_SURFACE, or its pixels have other than 32 bits, they are a surface that
+        is copied to it, so that all parts have room and can draw.
         """
         shown = pygame.display.get_surface()
         size = tuple(max(sides) for sides in zip(shown.get_size(), LEAST_SURFACE, strict=True))
-        if size == shown.get_size():
+        if size == shown.get_size() and shown.get_bytesize() == 4:
             self._larger = None
             return shown
         if self._larger is None or self._larger.get_size() != size:
-            self._larger = pygame.Surface(size, 0, shown)
+            self._larger = pygame.Surface(size, 0, 32)
         return self._larger
 
     @property
