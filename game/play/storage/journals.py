@@ -5,6 +5,7 @@ from contextlib import suppress
 from game.world.files.atomic import FileError
 from game.world.sessions.history import WAIT, Entry
 from game.world.sessions.journal import Journal
+from game.world.sessions.session_format import LARGEST_FILE
 
 AGAIN_S = 5.0  # from one try to begin a lost journal anew to the next
 
@@ -36,7 +37,8 @@ class Journals:
         """Say that a session's journal cannot be gone on with, and begin it anew once there is room again."""
         if session.trouble:
             self._say(f"{session.trouble}; the sand goes on, unrecorded", trouble=True)
-            session.trouble, self._lost, self._next_s = None, session, now_s + AGAIN_S
+            session.trouble, self._next_s = None, now_s + AGAIN_S
+            self._lost = None if _is_full(session.lost_journal) else session
         if session is not self._lost or not session.arrived or now_s < self._next_s:
             return
         self._next_s = now_s + AGAIN_S
@@ -74,6 +76,11 @@ class Journals:
 def _digest(session):
     """Return the digest of a session's world, or "" while another moment is being computed."""
     return "" if session.timeline.goal is not None else session.world.digest()
+
+
+def _is_full(path):
+    """Return whether a lost journal is too large to be told again."""
+    return path is not None and path.exists() and path.stat().st_size > LARGEST_FILE // 2
 
 
 def _begun(session, entries):

@@ -69,7 +69,7 @@ class Journal:
         try:
             journal._write(journal._pen.header(scene, seed))
         except JournalError:
-            path.unlink(missing_ok=True)
+            journal.path.unlink(missing_ok=True)
             raise
         return journal
 

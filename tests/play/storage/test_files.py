@@ -456,16 +456,10 @@ def test_the_journal_of_a_paused_window_does_not_grow(player, monkeypatch):
     assert path.stat().st_size > size
 
 
-<<<<<<< HEAD
-@pytest.mark.parametrize("close", [(pygame.QUIT, {}), (pygame.KEYDOWN, {"key": pygame.K_q, "mod": pygame.KMOD_LCTRL})])
-def test_a_closed_window_can_be_gone_on_with_where_it_was(player, close):
-    kind, how = close
-=======
 def test_a_journal_comes_back_with_all_that_was_done_when_there_is_room_again(player, monkeypatch):
     player.parts.crash_recovery.start()
     player.settle()
     player.click(player.pixel(20, 20))
-    lost = player.session.journal.path
 
     def full(*_):
         raise OSError(28, "No space left on device")
@@ -474,8 +468,8 @@ def test_a_journal_comes_back_with_all_that_was_done_when_there_is_room_again(pl
         patch.setattr(journal.os, "write", full)
         player.click(player.pixel(50, 30))
         player.wait(700)
-        assert player.session.journal is None
-        assert list(folder_of("journals").iterdir()) == [lost]
+        lost = player.session.lost_journal
+        assert player.session.journal is None and list(folder_of("journals").iterdir()) == [lost]
     player.click(player.pixel(80, 40))
     player.wait(700)
     assert player.session.journal is not None and not lost.exists()
@@ -484,8 +478,9 @@ def test_a_journal_comes_back_with_all_that_was_done_when_there_is_room_again(pl
     assert load_replay(path).digest == digest and len(load_replay(path).entries) >= 3
 
 
-def test_leaving_ends_the_journal(player):
->>>>>>> 70af9d7 (End softly by every signal, within two seconds; wait for events where nothing goes on)
+@pytest.mark.parametrize("close", [(pygame.QUIT, {}), (pygame.KEYDOWN, {"key": pygame.K_q, "mod": pygame.KMOD_LCTRL})])
+def test_a_closed_window_can_be_gone_on_with_where_it_was(player, close):
+    kind, how = close
     player.parts.crash_recovery.start()
     player.click(player.pixel(20, 20))
     player.wait(7)
