@@ -59,6 +59,8 @@ def uniform32(seed, iteration, row, column, blocks_across):
     """Return the 32-bit uniform number of block (row, column) of the partition: bit by bit, most significant first."""
     words = -(-blocks_across // 64)  # a row of blocks is dealt out to this many words in turn ...
     lane, word = divmod(column, words)  # ... so this is the block's bit and its word
+    if column == -1:  # half outside on the left: the word before the row's first
+        lane, word = 0, -1
     place = row * (words + 1) + word
     key = mix((mix((seed + GOLDEN) & MASK) + iteration * GOLDEN) & MASK)
     number = 0
@@ -69,17 +71,17 @@ def uniform32(seed, iteration, row, column, blocks_across):
 
 
 def step(cells, probabilities, schedule, seed, iteration):
-    """Return the cells after one iteration. Blocks start at the partition's offset; outside the lattice is wall."""
+    """Return the cells after one iteration. Every cell is in a block; outside the lattice is wall on all four sides."""
     height, width = len(cells), len(cells[0])
     blocks_across = -(-width // 2)
     left, top = SCHEDULES[schedule][iteration % len(SCHEDULES[schedule])]
     after = [list(row) for row in cells]
 
     def cell(y, x):
-        return cells[y][x] if y < height and x < width else "#"
+        return cells[y][x] if 0 <= y < height and 0 <= x < width else "#"
 
-    for y in range(top, height, 2):
-        for x in range(left, width, 2):
+    for y in range(-top, height, 2):
+        for x in range(-left, width, 2):
             found = event(cell(y, x), cell(y, x + 1), cell(y + 1, x), cell(y + 1, x + 1))
             if found is None:
                 continue
@@ -89,7 +91,7 @@ def step(cells, probabilities, schedule, seed, iteration):
                 if uniform32(seed, iteration, y // 2, x // 2, blocks_across) >= threshold:
                     continue
             for (dy, dx), state in zip(((0, 0), (0, 1), (1, 0), (1, 1)), corners, strict=True):
-                if y + dy < height and x + dx < width:
+                if 0 <= y + dy < height and 0 <= x + dx < width:
                     after[y + dy][x + dx] = state
     return after
 

@@ -4,14 +4,11 @@ Place is the word of blocks, counted from the top of the lattice; draw counts th
 depends neither on the order of the work nor on what was skipped.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 from game.core.jit import gate
 
 DRAWS = 32  # bits of a probability that are honoured; more would not be told apart in 10**9 trials
-STAGE = 4  # draws made together where candidates crowd; after them one candidate in 16 is undecided
 CERTAIN = 2**DRAWS  # probability 1 in units of 2**-32
 
 _GOLDEN = np.uint64(0x9E3779B97F4A7C15)
@@ -49,23 +46,3 @@ def random_word(key, place, draw):
 def threshold(p):
     """Return probability p in units of 2**-32, rounded to nearest: an int in [0, 2**32]."""
     return round(p * CERTAIN)
-
-
-class Chance(NamedTuple):
-    """Probabilities of kinds of events as masks that random bits are compared with."""
-
-    always: np.ndarray  # (kinds,) uint64, all ones where p is 1
-    digits: (
-        np.ndarray
-    )  # (draws rounded up to whole stages, kinds) uint64, all ones where that binary digit of p is 1, from the top
-    draws: int  # the digits that matter: past the last 1 of the longest p nothing is accepted
-
-
-def chance_of(probabilities):
-    """Return the Chance of a sequence of probabilities in [0, 1], a kind of event each."""
-    thresholds = [threshold(p) for p in probabilities]
-    ones = 2**64 - 1
-    always = np.array([ones if t == CERTAIN else 0 for t in thresholds], np.uint64)
-    digits = [[ones if (t >> (DRAWS - 1 - draw)) & 1 else 0 for t in thresholds] for draw in range(DRAWS)]
-    draws = max((draw + 1 for draw, row in enumerate(digits) if any(row)), default=0)
-    return Chance(always, np.array(digits[: max(1, -(-draws // STAGE)) * STAGE], np.uint64), draws)

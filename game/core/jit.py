@@ -17,7 +17,6 @@ import llvmlite
 import numba
 import numpy as np
 from llvmlite import ir
-from numba.core import cgutils
 from numba.core.caching import FunctionCache
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
@@ -26,7 +25,6 @@ from platformdirs import user_cache_dir
 
 FOLDERS_KEPT = 3  # caches of older sources and versions beside the current one; fewer means compiling after a switch
 SEAL = 32  # bytes of the checksum before a kernel's machine code
-STREAMS = 20  # places in an array that a loop with `apart` can go along from
 
 
 def _digest():
@@ -163,67 +161,21 @@ def gate(function):
     return numba.njit(function, forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)
 
 
-def _scopes(module):
-    """Return what LLVM calls an alias scope for each stream."""
-    domain = module.add_metadata(["streams"])
-    return [module.add_metadata([f"stream {number}", domain]) for number in range(STREAMS)]
-
-
-def _mark(module, instruction, stream):
-    """Say that a load or store is in a stream and in no other."""
-    scopes = _scopes(module)
-    own = scopes.pop(stream)
-    instruction.set_metadata("alias.scope", module.add_metadata([own]))
-    instruction.set_metadata("noalias", module.add_metadata(scopes))
-
-
-def _pointers(context, builder, signature, args):
-    """Yield (number, pointer) of the words that `load` or `store` is for."""
-    data = context.make_array(signature.args[0])(context, builder, args[0]).data
-    for number in range(len(signature.args[1])):
-        place = builder.add(builder.extract_value(args[1], number), args[2])
-        yield number, builder.gep(data, [place])
+_WORD = ir.IntType(64)
 
 
 @intrinsic
-def apart(typingctx):
-    """Promise, ahead of a loop, that no two of the streams in it ever meet: what is not checked need not be paid for.
-
-    The compiler has each pair of places in an array checked for overlap before a loop, and where they are many it
-    gives up and takes word by word. `load` and `store` say which stream they belong to; they must be in the function
-    that calls this, since scopes are made anew for each function compiled into another.
-    """
+def call_pass(typingctx, address, words, at, may, origin, key, chances, size):
+    """Call a pass of `core.compiler.vector_ir` at an address, an int64; of arrays it gets the pointers."""
 
     def generate(context, builder, signature, args):
-        kind = ir.FunctionType(ir.VoidType(), [ir.MetaDataType()])
-        declare = cgutils.get_or_insert_function(builder.module, kind, "llvm.experimental.noalias.scope.decl")
-        for scope in _scopes(builder.module):
-            builder.call(declare, [builder.module.add_metadata([scope])])
+        handed = []
+        for kind, value in zip(signature.args[1:], args[1:], strict=True):
+            if isinstance(kind, numba.types.Array):
+                value = builder.ptrtoint(context.make_array(kind)(context, builder, value).data, _WORD)
+            handed.append(value)
+        kind = ir.FunctionType(_WORD, [_WORD] * len(handed))
+        return builder.call(builder.inttoptr(args[0], kind.as_pointer()), handed)
 
-    return numba.types.void(), generate
-
-
-@intrinsic(prefer_literal=True)
-def load(typingctx, array, places, i, stream):
-    """Return word i from each of the places, a tuple as long; they are the streams from `stream` on, a literal."""
-
-    def generate(context, builder, signature, args):
-        words = []
-        for number, pointer in _pointers(context, builder, signature, args):
-            words.append(builder.load(pointer))
-            _mark(builder.module, words[-1], stream.literal_value + number)
-        return context.make_tuple(builder, signature.return_type, words)
-
-    return numba.types.UniTuple(array.dtype, len(places))(array, places, i, stream), generate
-
-
-@intrinsic(prefer_literal=True)
-def store(typingctx, array, places, i, words, stream):
-    """Write word i at each of the places; they are the streams from `stream` on, a literal."""
-
-    def generate(context, builder, signature, args):
-        for number, pointer in _pointers(context, builder, signature, args):
-            written = builder.store(builder.extract_value(args[3], number), pointer)
-            _mark(builder.module, written, stream.literal_value + number)
-
-    return numba.types.void(array, places, i, words, stream), generate
+    handed = words, at, may, origin, key, chances, size
+    return numba.types.int64(address, *handed), generate

@@ -4,12 +4,12 @@ Sand and walls are kept apart, and each is split in four by the parity of row an
 rows 2r and 2r + 1. A plane row is striped over `words` words: bit k of word j is column k·words + j of the plane, so a
 word's right-hand neighbours are the next word, same bits. Each row ends in one spare word, the seam: in the planes of
 even columns it holds the neighbours of the last word (word 0 shifted down by a bit) while an iteration with odd x runs;
-in those of odd columns it is wall. Everything outside the lattice is wall.
+in those of odd columns it is wall. Everything outside the lattice is wall: the rest of the last word of a row, and the
+end of each plane, a row and some words at least.
 
-Planes are one (PLANES, length) uint64 array. Sand comes first, at 2·(row parity) + (column parity); walls follow in the
-same order; last come two copies of the walls of even columns, for iterations with odd x: their seams hold the
-neighbours for good and their first word is all wall, which keeps the seam's own block still. A world with coloured
-grains has COLOURED_PLANES: four more for each bit of a colour, in the order of sand, 0 where there is none.
+Planes are one (PLANES, length) uint64 array. Sand comes first, at 2·(row parity) + (column parity), and walls follow in
+the same order: so a cell's code is 1 for sand, 2 for wall. A world with coloured grains has COLOURED_PLANES: four more
+for each bit of a colour, in the order of sand, meaningless where there is none.
 """
 
 from typing import NamedTuple
@@ -21,9 +21,8 @@ from game.core.packing import BITS, pack_cells, turned_cells, unpack_cells
 
 SAND = 0  # first plane of sand
 WALLS = 4  # first plane of walls
-SHIFTED_WALLS = 8  # walls of even columns for odd x: even rows, then odd rows
-PLANES = 10
-COLOURS = 10  # first plane of colours, where a world has any: four planes for each bit, the lowest bit first
+PLANES = 8
+COLOURS = 8  # first plane of colours, where a world has any: four planes for each bit, the lowest bit first
 DEPTH = 3  # bits of a colour
 COLOURED_PLANES = COLOURS + 4 * DEPTH
 
@@ -34,7 +33,6 @@ PAGE = 512  # words
 LINE = 8  # words in a cache line: loads and stores that straddle two cost a third of the speed
 
 _ONE = np.uint64(1)
-_TOP = np.uint64(BITS - 1)
 _FULL = np.uint64(2**64 - 1)
 _PAIRS, _FOURS = np.uint64(0x5555555555555555), np.uint64(0x3333333333333333)
 _BYTES, _EACH_BYTE = np.uint64(0x0F0F0F0F0F0F0F0F), np.uint64(0x0101010101010101)
@@ -56,7 +54,7 @@ def layout(height, width):
     rows = -(-height // 2)
     words = -(-width // (2 * BITS))
     stride = words + 1
-    used = (rows + 1) * stride + 1  # one row and a word past the end are read, and are wall
+    used = (rows + 1) * stride + LINE  # a row past the end, and the rest of a vector there
     return Layout(height, width, rows, words, stride, -(-used // PAGE) * PAGE + STAGGER)
 
 
@@ -68,7 +66,6 @@ def pack(sand, walls, colours=None):
     planes[WALLS:COLOURS] = _FULL
     pack_cells(sand.view(np.uint8), planes[SAND : SAND + 4], where.words)
     pack_cells(walls.view(np.uint8), planes[WALLS : WALLS + 4], where.words)
-    shift_walls(planes, where.rows, where.words)
     for bit, first in enumerate(colour_planes(planes)):
         pack_cells((colours >> bit) & 1, planes[first : first + 4], where.words)
     return planes
@@ -163,18 +160,6 @@ def turned(planes, where, quarters):
     for bit, first in enumerate(colour_planes(planes)):
         colours |= turned_cells(unpack(planes, where, first), quarters).view(np.uint8) << bit
     return pack(sand, walls, colours * sand)
-
-
-@kernel
-def shift_walls(planes, rows, words):
-    """Make the walls of even columns for odd x anew, in place."""
-    for parity in range(2):
-        plane, copy = WALLS + 2 * parity, SHIFTED_WALLS + parity
-        for i in range(planes.shape[1]):
-            planes[copy, i] = planes[plane, i]
-        for start in range(0, rows * (words + 1), words + 1):
-            planes[copy, start + words] = (planes[plane, start] >> _ONE) | (_ONE << _TOP)
-            planes[copy, start] = _FULL
 
 
 @gate

@@ -9,7 +9,8 @@ number u of that layer decides which of the claim's outcomes happens, if any. Ou
 
     T(i - 1) <= u < T(i),   T(i) = min(2**32, round(2**32 · (p of outcome 0 + … + p of outcome i))),   T(-1) = 0
 
-so an outcome that leaves the block as it is ends the trying of layers, too. All layers look at the block as it was.
+with the sum taken by `math.fsum`. So an outcome that leaves the block as it is ends the trying of layers, too. All
+layers look at the block as it was.
 
 **Numbers.** u has 32 bits, the highest drawn first: draw n is bit `lane` of
 
@@ -95,6 +96,12 @@ class RuleTable:
     def states(self):
         """The number of block states."""
         return 2 ** (4 * self.bits)
+
+    @property
+    def used_states(self):
+        """The block states with codes in use only, rising."""
+        states = np.arange(self.states)
+        return states[np.all([codes < self.codes for codes in corners(states, self.bits)], axis=0)]
 
     @property
     def has_fair_bit(self):

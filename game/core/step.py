@@ -1,307 +1,93 @@
-"""One iteration, and batches of them, on striped planes: a kernel for each kind of rule.
+"""Iterations on striped planes, in batches and band by band, by the pass of a rule.
 
-An iteration goes down the lattice band by band. In a band a first pass over all words makes the moves that are certain
-and flags words with candidates, blocks whose event is left to chance; a second pass visits only those and draws. Bands
-in which nothing can move are left alone.
-
-All planes are one flat array here, and a corner is the place in it where its words start: eight arrays in its stead
-made each call five times as dear, since the compiler then has every pair of them checked for overlap.
+A pass knows blocks; this knows where they are. Bands in which nothing can move are left alone. Outside of the lattice
+all cells have one code, and every cell is in a block in every iteration: where blocks start in an odd column, the row
+starts with one whose left corners are outside, where they start in an odd row so does the lattice with its upper ones.
 """
-
-from typing import NamedTuple
 
 import numpy as np
 
-from game.core.block import events
-from game.core.chance import STAGE, iteration_key, random_word, seed_stream
-from game.core.grain_colours import (
-    Tracks,
-    add_tracks,
-    bits_of_colours,
-    follow_all,
-    follow_few,
-    leave_tracks,
-    many_moved,
-)
-from game.core.jit import gate, kernel
-from game.core.planes import SHIFTED_WALLS, WALLS
-from game.core.seam import close_seams, open_seams
+from game.core.chance import iteration_key, seed_stream
+from game.core.jit import call_pass, gate, kernel
+from game.core.planes import LINE
 
 BAND = 1024  # words of blocks in a band, about: with less, calls cost more than work; with more, less can be skipped
-IN_CACHE = 8192  # words of blocks that bands in flight may have together: with walls 1/2 MiB, for the second cache
-CROWD = 16  # where more than one word in so many has candidates, drawing for all words at once is cheaper
-NONE_YET = np.int64(0)  # draws made; typed, since numba compiles everything anew for a literal 0
+IN_CACHE = 65536  # words of planes that bands in flight may have together: 1/2 MiB, for the second cache
 CYCLE = 4  # iterations until every partition of a schedule has had its turn
 
-_ZERO = np.uint64(0)
-_ONE, _TWO, _THREE, _SEVEN = np.uint64(1), np.uint64(2), np.uint64(3), np.uint64(7)
+_ZERO, _ONE, _TOP = np.uint64(0), np.uint64(1), np.uint64(63)
 _FULL = np.uint64(2**64 - 1)
-
-
-class Room(NamedTuple):
-    """Working memory for the words of one band."""
-
-    flags: np.ndarray  # uint8: the word has candidates; padded to whole groups of eight
-    undecided: np.ndarray  # uint64: the candidates of the word that draws so far left undecided
-    flagged: np.ndarray  # uint64: the numbers of the flagged words; one more is written behind the last
-    tracks: Tracks | None  # where grains went, if they have colours
-
-
-class Corners(NamedTuple):
-    """Where the words at the four corners of the blocks start in the flat planes: sand, then walls."""
-
-    a: np.uint64
-    b: np.uint64
-    c: np.uint64
-    d: np.uint64
-    wa: np.uint64
-    wb: np.uint64
-    wc: np.uint64
-    wd: np.uint64
+_STEP = np.uint64(32 * 0x9E3779B97F4A7C15 % 2**64)  # from the draws of a word of blocks to those of the next
 
 
 @gate
-def corners(length, stride, x, y, first):
-    """Return the Corners of the words of blocks from `first` in the partition at (x, y); a plane has `length` words."""
-    upper, lower = 2 * y, 2 - 2 * y
-    below = first + y * stride
-    right_walls_above = SHIFTED_WALLS + y if x else WALLS + upper + 1
-    right_walls_below = SHIFTED_WALLS + 1 - y if x else WALLS + lower + 1
-    return Corners(
-        np.uint64((upper + x) * length + first),
-        np.uint64((upper + 1 - x) * length + first + x),
-        np.uint64((lower + x) * length + below),
-        np.uint64((lower + 1 - x) * length + below + x),
-        np.uint64((WALLS + upper + x) * length + first),
-        np.uint64(right_walls_above * length + first + x),
-        np.uint64((WALLS + lower + x) * length + below),
-        np.uint64(right_walls_below * length + below + x),
+def open_seams(planes, start, rows, stride, outside):
+    """Give the last word of rows of a plane of even columns its right-hand neighbours, in the seam behind it.
+
+    start: where the first of the rows is. outside: a word of what is outside.
+    """
+    for row in range(rows):
+        first = start + row * stride
+        planes[first + stride - 1] = (planes[first] >> _ONE) | (outside << _TOP)
+
+
+@gate
+def close_seams(planes, start, rows, stride):
+    """Take what the iteration made of the seams back into the rows' first words, whose lowest bit was no seam's."""
+    for row in range(rows):
+        first = start + row * stride
+        planes[first] = (planes[first + stride - 1] << _ONE) | (planes[first] & _ONE)
+
+
+@gate
+def run_rows(run, planes, length, stride, y, x, upper, lower, rows, row, key, room):
+    """Run one iteration on rows of blocks, in place; return what the pass does.
+
+    y, x: the partition's offset. upper, lower: the plane rows of the upper and of the lower corners of the first row of
+    blocks, which is number `row` of the partition. room: see `room_for`.
+    """
+    address, outside, chances = run
+    at, may, origin = room
+    bits = len(outside)
+    above, below = (2 * y) * length + upper * stride, (2 - 2 * y) * length + lower * stride
+    for bit in range(bits):
+        start = 4 * bit * length
+        at[bit] = start + above + x * length - x
+        at[bits + bit] = start + above + (1 - x) * length
+        at[2 * bits + bit] = start + below + x * length - x
+        at[3 * bits + bit] = start + below + (1 - x) * length
+        if x:
+            open_seams(planes, at[bits + bit], rows, stride, outside[bit])
+            open_seams(planes, at[3 * bits + bit], rows, stride, outside[bit])
+    place = key + np.uint64(row * stride - x) * _STEP
+    told = call_pass(address, planes, at, may[x], origin, place, chances, rows * stride)
+    if x and told:
+        for bit in range(bits):
+            close_seams(planes, at[bits + bit], rows, stride)
+            close_seams(planes, at[3 * bits + bit], rows, stride)
+    return told
+
+
+@gate
+def room_for(rows, stride, bits):
+    """Return working memory for rows of blocks: (`at`, `may` by x, `origin`) as a pass wants them.
+
+    The seam is no block where x is even. Where it is odd the first bit of a row's first word is the block that is half
+    outside on the left.
+    """
+    size = rows * stride
+    at, may, origin = (
+        np.empty(4 * bits, np.int64),
+        np.zeros((2, size + LINE), np.uint64),
+        np.zeros(size + LINE, np.uint64),
     )
-
-
-@gate
-def corner_words(planes, at, i):
-    """Return word i of sand at the corners a b c d, then of what is occupied there."""
-    a, b, c, d = planes[at.a + i], planes[at.b + i], planes[at.c + i], planes[at.d + i]
-    return a, b, c, d, a | planes[at.wa + i], b | planes[at.wb + i], c | planes[at.wc + i], d | planes[at.wd + i]
-
-
-@gate
-def put(planes, at, i, a, b, c, d):
-    """Write word i of sand at the corners."""
-    planes[at.a + i] = a
-    planes[at.b + i] = b
-    planes[at.c + i] = c
-    planes[at.d + i] = d
-
-
-@gate
-def move_certain(planes, at, size):
-    """Move every grain that can move, in place; return whether there is any."""
-    moved = _ZERO
     for i in range(size):
-        a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
-        fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
-        put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
-        moved |= fl | fr | tl | tr
-    return moved != _ZERO
-
-
-@gate
-def certain_falls(fl, fr, oa, ob, oc, od, seven):
-    """Return which falls are not left to chance: all of them, or with `seven` those of lone grains."""
-    if seven is None:
-        return fl, fr
-    return fl & ~(ob | od), fr & ~(oa | oc)
-
-
-@gate
-def fall(planes, at, size, flags, seven, tracks):
-    """Make the certain falls, in place, and flag the words with candidates.
-
-    Return whether anything fell and whether a word is flagged. What fell has left no new candidate behind.
-    """
-    fell, some = _ZERO, _ZERO
-    for i in range(size):
-        a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
-        fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
-        left, right = certain_falls(fl, fr, oa, ob, oc, od, seven)
-        put(planes, at, i, a ^ left, b ^ right, c ^ left, d ^ right)
-        if tracks is not None:
-            leave_tracks(tracks, i, left, right, left)
-        candidates = (fl ^ left) | (fr ^ right) | tl | tr
-        flags[i] = candidates != _ZERO
-        fell |= left | right
-        some |= candidates
-    return fell != _ZERO, some != _ZERO
-
-
-@gate
-def list_flagged(flags, size, flagged):
-    """Write the numbers of the flagged words to `flagged` and return how many there are.
-
-    In a group with a flag every word is written, and the next one over it unless it was flagged: a branch for each word
-    would be foretold wrongly about as often as there is a candidate, which costs more than the whole group.
-    """
-    groups, count = flags.view(np.uint64), _ZERO
-    whole = (size + _SEVEN) >> _THREE
-    for i in range(size, whole << _THREE):
-        flags[i] = 0
-    for group in range(whole):
-        if groups[group] != _ZERO:
-            first = np.uint64(group) << _THREE
-            for lane in range(8):
-                i = first + np.uint64(lane)
-                flagged[count] = i
-                count += np.uint64(flags[i])
-    return count
-
-
-@gate
-def kinds_of(fl, fr, tl, tr, oa, ob, oc, od, seven):
-    """Return the blocks of each kind of event left to chance, in the order of the rule's probabilities."""
-    if seven is None:
-        return tl, tr, _ZERO, _ZERO, _ZERO, _ZERO, _ZERO
-    pair = (fl & ob & ~od) | (fr & oa & ~oc)
-    return tl, tr, pair, fl & ~ob & od, fr & ~oa & oc, fl & ob & od, fr & oa & oc
-
-
-@gate
-def chosen(kinds, masks):
-    """Return the blocks whose kind of event has its mask set."""
-    topples = (kinds[0] & masks[0]) | (kinds[1] & masks[1])
-    low = (kinds[3] & masks[3]) | (kinds[4] & masks[4])
-    full = (kinds[5] & masks[5]) | (kinds[6] & masks[6])
-    return topples | (kinds[2] & masks[2]) | low | full
-
-
-@gate
-def compare(random, digit, accepted, rest):
-    """Compare one more binary digit of uniform numbers with that of p: return who is accepted and who undecided."""
-    return accepted | (rest & digit & ~random), rest & ~(random ^ digit)
-
-
-@gate
-def masks_of(row):
-    """Return a row of masks as a tuple: values, which no store to the planes can change under the compiler's eyes."""
-    return row[0], row[1], row[2], row[3], row[4], row[5], row[6]
-
-
-@gate
-def stage_of(digits, draw):
-    """Return the masks of the STAGE draws from `draw` on."""
-    return masks_of(digits[draw]), masks_of(digits[draw + 1]), masks_of(digits[draw + 2]), masks_of(digits[draw + 3])
-
-
-@gate
-def draw_stage(stage, kinds, place, draw, key, accepted, rest):
-    """Make STAGE draws at once for the candidates `rest`; return who is accepted by now and who undecided."""
-    accepted, rest = compare(random_word(key, place, draw), chosen(kinds, stage[0]), accepted, rest)
-    accepted, rest = compare(random_word(key, place, draw + _ONE), chosen(kinds, stage[1]), accepted, rest)
-    accepted, rest = compare(random_word(key, place, draw + _TWO), chosen(kinds, stage[2]), accepted, rest)
-    return compare(random_word(key, place, draw + _THREE), chosen(kinds, stage[3]), accepted, rest)
-
-
-@gate
-def draw_few(planes, at, i, rest, first_draw, place, key, chance, seven, tracks):
-    """Decide the candidates `rest` of word i from `first_draw` on, and move those accepted, in place."""
-    a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
-    fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
-    kinds = kinds_of(fl, fr, tl, tr, oa, ob, oc, od, seven)
-    rest &= fl | fr | tl | tr
-    accepted = rest & chosen(kinds, masks_of(chance.always))
-    rest &= ~accepted
-    draw = first_draw
-    while draw < chance.draws and rest != _ZERO:
-        stage = stage_of(chance.digits, draw)
-        accepted, rest = draw_stage(stage, kinds, place + i, np.uint64(draw), key, accepted, rest)
-        draw += STAGE
-    fl, fr, tl, tr = fl & accepted, fr & accepted, tl & accepted, tr & accepted
-    put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
-    if tracks is not None:
-        add_tracks(tracks, i, fl | tr, fr | tl, fl | tl)
-
-
-@gate
-def draw_many(planes, at, size, undecided, first_draw, place, key, chance, seven, tracks):
-    """Make STAGE draws for the candidates of all words, from `first_draw` on, and move those accepted, in place.
-
-    Return how many words have candidates left over, which are in `undecided`, as those of the stage before are. The
-    loop has no branches, so that eight words are worked out at a time.
-    """
-    fresh = _FULL if first_draw == 0 else _ZERO  # before the first draw all candidates are undecided
-    always, stage, left_over = masks_of(chance.always), stage_of(chance.digits, first_draw), _ZERO
-    draw = np.uint64(first_draw)
-    for i in range(size):
-        a, b, c, d, oa, ob, oc, od = corner_words(planes, at, i)
-        fl, fr, tl, tr = events(a, b, oa, ob, oc, od)
-        kinds = kinds_of(fl, fr, tl, tr, oa, ob, oc, od, seven)
-        rest = (fl | fr | tl | tr) & (undecided[i] | fresh)
-        accepted = rest & chosen(kinds, always)
-        accepted, rest = draw_stage(stage, kinds, place + i, draw, key, accepted, rest & ~accepted)
-        fl, fr, tl, tr = fl & accepted, fr & accepted, tl & accepted, tr & accepted
-        put(planes, at, i, a ^ (fl | tr), b ^ (fr | tl), c ^ (fl | tl), d ^ (fr | tr))
-        if tracks is not None:
-            add_tracks(tracks, i, fl | tr, fr | tl, fl | tl)
-        undecided[i] = rest
-        left_over += np.uint64(rest != _ZERO)
-    return left_over
-
-
-@gate
-def move_by_chance(planes, at, size, place, room, key, chance, seven):
-    """Move the sand in `size` words of blocks, in place; return whether there was an event, or could have been one."""
-    fell, some = fall(planes, at, size, room.flags, seven, room.tracks)
-    if not some:
-        return fell
-    flagged = list_flagged(room.flags, size, room.flagged)
-    if flagged * CROWD <= size:
-        for k in range(flagged):
-            draw_few(planes, at, room.flagged[k], _FULL, NONE_YET, place, key, chance, seven, room.tracks)
-        return True
-    draw, words = NONE_YET, flagged
-    while words * CROWD > size and draw < max(1, chance.draws):  # what is always accepted needs no draw, but a pass
-        words = draw_many(planes, at, size, room.undecided, draw, place, key, chance, seven, room.tracks)
-        draw += STAGE
-    if words and draw < chance.draws:
-        for i in range(size):
-            if room.undecided[i] != _ZERO:
-                draw_few(planes, at, i, room.undecided[i], draw, place, key, chance, seven, room.tracks)
-    return True
-
-
-@gate
-def move_colours(planes, at, length, x, rows, stride, listed, tracks):
-    """Let the colours of a band follow its sand, in place, if there are any."""
-    if tracks is not None:
-        bits, size = bits_of_colours(at, length), np.uint64(rows * stride)
-        if many_moved(tracks, size):
-            follow_all(planes, bits, x, rows, stride, tracks)
-        else:
-            number = list_flagged(tracks.moved, size, listed)
-            follow_few(planes, bits, x, stride, listed, number, tracks)
-
-
-@gate
-def move_band(planes, length, stride, x, y, first_row, rows, room, key, certain, chance, seven):
-    """Run one iteration on the `rows` plane rows from `first_row`, in place; return whether anything stirred."""
-    first, size = first_row * stride, np.uint64(rows * stride)
-    at = corners(length, stride, x, y, first)
-    upper, lower = at.b - _ONE, at.d - _ONE
-    if x:
-        open_seams(planes, upper, rows, stride)
-        open_seams(planes, lower, rows, stride)
-    stirred = False
-    if certain is not None:
-        stirred = move_certain(planes, at, size)
-    if chance is not None:
-        stirred = move_by_chance(planes, at, size, np.uint64(first), room, key, chance, seven)
-    if x and stirred:
-        close_seams(planes, upper, rows, stride)
-        close_seams(planes, lower, rows, stride)
-    if stirred:
-        move_colours(planes, at, length, x, rows, stride, room.flagged, room.tracks)
-    return stirred
+        may[0, i] = may[1, i] = _FULL
+        origin[i] = np.uint64(i) * _STEP
+    for first in range(0, size, stride):
+        may[0, first + stride - 1] = _ZERO
+        may[1, first] = _ONE
+    return at, may, origin
 
 
 @gate
@@ -312,24 +98,23 @@ def is_still(quiet, band):
 
 
 @kernel
-def advance_planes(
-    planes, shape, quiet, changed, stamp, offsets, seed, iteration, iterations, certain, chance, seven, tracks
-):
+def advance_planes(planes, shape, run, edges, quiet, changed, stamp, offsets, seed, iteration, iterations):
     """Run a batch of iterations in place.
 
-    planes: all of them, flat. shape: (words in a plane, plane rows, stride, plane rows in a band). quiet, changed: a
-    value for each band, see `world.Activity`; what stirs is stamped. offsets: (x, y) of the first iterations, repeated.
-    seed, iteration: uint64. The code for what is None is not even compiled: certain, unless every event is; chance, the
-    rule's `Chance`, unless one is not; seven, unless falls are left to chance as well as topples; tracks, room for
-    those of a band, unless grains have colours. With colours and every event certain, see `advance_together`.
+    planes: all of them, flat: four for each bit of a cell. shape: (words in a plane, plane rows, stride, plane rows in
+    a band). run: (address of a pass; (bits,) uint64, a word of what is outside for each bit; its chances). edges:
+    whether blocks whose upper, and whose lower corners are outside have events. quiet, changed: a value for each band,
+    see `world.Activity`; what stirs is stamped. offsets: (x, y) of the first iterations, repeated. seed, iteration:
+    uint64.
 
     Iterations are skewed: a band runs through several of them while it is in the cache, each one band further up than
     the one before, since what happens in a band depends on that band and the one below, an iteration earlier.
     """
     length, rows, stride, band_rows = shape
-    size = -(-band_rows * stride // 8) * 8
-    room = Room(np.empty(size, np.uint8), np.empty(size, np.uint64), np.empty(size + 1, np.uint64), tracks)
-    skew = max(1, IN_CACHE // (band_rows * stride))
+    top, bottom = edges
+    bits = len(run[1])
+    room, room_above = room_for(band_rows, stride, bits), room_for(1 if top else 0, stride, bits)
+    skew = max(1, IN_CACHE // (4 * bits * band_rows * stride))
     stream, bands = seed_stream(seed), len(quiet)
     for start in range(0, iterations, skew):
         depth = min(skew, iterations - start)
@@ -340,10 +125,15 @@ def advance_planes(
                     continue
                 t = start + k
                 x, y = offsets[t % len(offsets)]
-                first_row = band * band_rows
-                here = min(band_rows, rows - y - first_row)
                 key = iteration_key(stream, iteration + np.uint64(t))
-                if move_band(planes, length, stride, x, y, first_row, here, room, key, certain, chance, seven):
+                row = band * band_rows
+                here = min(band_rows, rows - row - (0 if bottom else y))
+                told = 0
+                if here > 0:
+                    told |= run_rows(run, planes, length, stride, y, x, row, row + y, here, row, key, room)
+                if top and y and band == 0:
+                    told |= run_rows(run, planes, length, stride, y, x, rows, 0, 1, -1, key, room_above)
+                if told:
                     quiet[band] = 0
                     changed[band] = stamp
                 else:

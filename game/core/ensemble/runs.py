@@ -1,10 +1,10 @@
 """Ensembles: many independent replicas of one lattice, a bit each, moved a group at a time.
 
-Bit i of a cell's word w is replica 64·w + i of the group. A block's corners are then plain words, whatever the
-partition, and one visit to a block moves the sand of the whole group. Most blocks need no visit: one in which no
-replica can move falls asleep until a block that shares a cell with it moves.
+Bit i of word w of a bit of a cell's code is replica 64·w + i of the group. A block's corners are then plain words,
+whatever the partition, and one run of a rule's pass moves the block in the whole group. Most blocks need no visit: one
+in which no replica can move falls asleep until a block that shares a cell with it moves.
 
-Arrays have a border of one cell, which is wall, so cell (row, column) is at [row + 1, column + 1].
+Arrays have a border of one cell, which is outside, so cell (row, column) is at [row + 1, column + 1].
 """
 
 from typing import NamedTuple
@@ -12,58 +12,62 @@ from typing import NamedTuple
 import numpy as np
 
 from game.core.chance import iteration_key, mix, seed_stream
-from game.core.ensemble.block_visit import KEYS, SCRATCH, seven_of, visit
-from game.core.jit import gate, kernel
+from game.core.jit import call_pass, gate, kernel
 
 BITS = 64
 
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
+_FULL = np.uint64(2**64 - 1)
 _GOLDEN = np.uint64(0x9E3779B97F4A7C15)
+_STEP = np.uint64(32 * 0x9E3779B97F4A7C15 % 2**64)  # from the draws of one block to those of the next
 _ENSEMBLE = np.uint64(0x656E73656D626C65)  # keeps replicas apart from a world of the same seed
 
 
 class Replicas(NamedTuple):
-    """A group of replicas at one moment."""
+    """A group of replicas at one moment. Words beyond those of `seeds` fill up the last vector of a pass."""
 
-    cells: np.ndarray  # (H + 2, W + 2, words) uint64: sand, bit by bit
-    walls: np.ndarray  # (H + 2, W + 2) uint8: 1 where wall, the same in all replicas
+    cells: np.ndarray  # (H + 2, W + 2, bits, words) uint64: the code of each cell, bit by bit
+    full: np.ndarray  # (words,) uint64: the bits that are replicas
     awake: np.ndarray  # (H + 2, W + 2) uint8: whether the block with this upper left corner needs a visit
     seeds: np.ndarray  # (words,) uint64: each word's own seed
 
 
-def replicate(sand, walls, seed, first, runs):
-    """Return `runs` replicas of two (H, W) bool arrays, the first of them number `first`, a multiple of 64.
+def replicate(codes, bits, outside, seed, first, runs, lanes=1):
+    """Return `runs` replicas of cells, (H, W) uint8 codes, the first of them number `first`, a multiple of 64.
 
-    Bits past the last replica hold no sand, so nothing ever happens in them and no count sees them.
+    outside: the code of what is outside. lanes: the words of a group are a multiple of it. Bits past the last replica
+    take no part.
     """
-    height, width = sand.shape
-    full = full_words(runs)
-    words = len(full)
-    cells = np.zeros((height + 2, width + 2, words), np.uint64)
-    fill(cells, sand, full)
-    solid = np.ones((height + 2, width + 2), np.uint8)
-    solid[1:-1, 1:-1] = walls
-    return Replicas(cells, solid, np.ones(solid.shape, np.uint8), word_seeds(np.uint64(seed), first // BITS, words))
+    height, width = codes.shape
+    full = full_words(runs, lanes)
+    cells = np.zeros((height + 2, width + 2, bits, len(full)), np.uint64)
+    bordered = np.full((height + 2, width + 2), outside, np.uint8)
+    bordered[1:-1, 1:-1] = codes
+    fill(cells, bordered, full)
+    seeds = word_seeds(np.uint64(seed), first // BITS, len(full))
+    return Replicas(cells, full, np.ones(bordered.shape, np.uint8), seeds)
 
 
-def full_words(runs):
-    """Return the words of a cell that has sand in each of `runs` replicas: (words,) uint64."""
+def full_words(runs, lanes=1):
+    """Return the words of a bit that is set in each of `runs` replicas: (words,) uint64, a multiple of `lanes`."""
     words = -(-runs // BITS)
-    full = np.full(words, 2**64 - 1, np.uint64)
-    full[-1] >>= np.uint64(words * BITS - runs)
+    full = np.zeros(-(-words // lanes) * lanes, np.uint64)
+    full[:words] = _FULL
+    full[words - 1] >>= np.uint64(words * BITS - runs)
     return full
 
 
 @kernel
-def fill(cells, sand, full):
-    """Put `full`, (words,) uint64, in every cell where sand is, in place."""
-    height, width = sand.shape
+def fill(cells, codes, full):
+    """Put a code, (H + 2, W + 2) uint8, in every cell of the replicas that `full` says, in place."""
+    height, width = codes.shape
     for y in range(height):
         for x in range(width):
-            if sand[y, x]:
-                for word in range(len(full)):
-                    cells[y + 1, x + 1, word] = full[word]
+            for bit in range(cells.shape[2]):
+                if codes[y, x] >> bit & 1:
+                    for word in range(len(full)):
+                        cells[y, x, bit, word] = full[word]
 
 
 @kernel
@@ -75,38 +79,62 @@ def word_seeds(seed, first, words):
     return seeds
 
 
+@gate
+def _visit(run, flat, cells_across, y, x, size, full, origin, at):
+    """Run a pass on the block with its upper left corner at [y, x] of a group, in place; return what it does.
+
+    size: (bits, words). origin: (words,) uint64, the keys of the iteration. at: room for the places of the corners.
+    """
+    address, chances = run
+    bits, words = size
+    cell = y * cells_across + x
+    for corner in range(4):
+        start = (cell + (corner >> 1) * cells_across + (corner & 1)) * bits * words
+        for bit in range(bits):
+            at[corner * bits + bit] = start + bit * words
+    return call_pass(address, flat, at, full, origin, np.uint64(cell) * _STEP, chances, words)
+
+
 @kernel
-def advance_replicas(replicas, offsets, iteration, iterations, chances, done, row, budget):
+def advance_replicas(replicas, run, offsets, iteration, iterations, done, row, budget):
     """Run iterations in place, resuming at (done, row) and stopping once `budget` is spent.
 
     A visit to a block spends 1 and 1 for each 16 words. Return the (done, row) to resume at; done is `iterations` at
-    the end. offsets: (x, y) of the iterations from number
-    `iteration`, a uint64, repeated. chances: the masks (always, digits) of the rule's `Chance`.
+    the end. run: (address of a pass, its chances). offsets: (x, y) of the iterations from number `iteration`, a uint64,
+    repeated.
     """
-    cells, walls, awake, seeds = replicas
+    cells, full, awake, seeds = replicas
     height, width = awake.shape[0] - 2, awake.shape[1] - 2
-    always, bits = seven_of(chances[0], 0, 1), chances[1]
-    scratch = np.empty(SCRATCH, np.uint64)
+    size, flat = cells.shape[2:], cells.reshape(-1)
+    at, keys = np.empty(4 * size[0], np.int64), np.empty(len(seeds), np.uint64)
     spent, cost = 0, 1 + len(seeds) // 16
     while done < iterations:
         x0, y0 = offsets[done % len(offsets)]
         for k in range(len(seeds)):
-            scratch[KEYS + k] = iteration_key(seed_stream(seeds[k]), iteration + np.uint64(done))
-        for y in range(max(row, 1 + y0), height + 1, 2):
+            keys[k] = iteration_key(seed_stream(seeds[k]), iteration + np.uint64(done))
+        for y in range(max(row, 1 - y0), height + 1, 2):
             if spent > budget:
                 return done, y
             spent += 1 + width // BITS
-            for x in range(1 + x0, width + 1, 2):
+            for x in range(1 - x0, width + 1, 2):
                 if awake[y, x]:
-                    place = np.uint64(y * (width + 2) + x)
-                    moved, could = visit(cells, walls, y, x, scratch, place, always, bits)
+                    told = _visit(run, flat, width + 2, y, x, size, full, keys, at)
                     spent += cost
-                    if moved:
-                        awake[y - 1 : y + 2, x - 1 : x + 2] = 1
-                    elif not could:
+                    if told & 2:
+                        awake[max(0, y - 1) : y + 2, max(0, x - 1) : x + 2] = 1
+                    elif told == 0:
                         awake[y, x] = 0
         done, row = done + 1, 0
     return done, row
+
+
+@gate
+def holding(cells, y, x, word, code, full):
+    """Return in which replicas of a word a cell has a code; cells: as in `Replicas`, y and x with the border."""
+    found = full[word]
+    for bit in range(cells.shape[2]):
+        found &= cells[y, x, bit, word] if code >> bit & 1 else ~cells[y, x, bit, word]
+    return found
 
 
 @gate
@@ -119,25 +147,27 @@ def ones(word):
 
 
 @kernel
-def count_replicas(cells, weight, counts):
-    """Add `weight` times the number of replicas with sand to `counts`, an (H, W) int64 array, cell by cell."""
+def count_replicas(replicas, code, weight, counts):
+    """Add `weight` times the number of replicas with a code to `counts`, an (H, W) int64 array, cell by cell."""
+    cells, full, _, _ = replicas
     height, width = counts.shape
     for y in range(height):
         for x in range(width):
             found = _ZERO
-            for word in range(cells.shape[2]):
-                found += ones(cells[y + 1, x + 1, word])
+            for word in range(len(full)):
+                found += ones(holding(cells, y + 1, x + 1, word, code, full))
             counts[y, x] += weight * np.int64(found)
 
 
 @kernel
-def read_states(cells, states):
-    """Write each replica's cells to `states`, (runs,) uint64: bit y·W + x is cell (y, x). H·W is at most 64."""
+def read_states(replicas, code, states):
+    """Write where each replica has a code to `states`, (runs,) uint64: bit y·W + x is cell (y, x), of 64 at most."""
+    cells, full, _, _ = replicas
     height, width = cells.shape[0] - 2, cells.shape[1] - 2
     for run in range(len(states)):
         word, bit = run // BITS, np.uint64(run % BITS)
         state = _ZERO
         for y in range(height):
             for x in range(width):
-                state |= ((cells[y + 1, x + 1, word] >> bit) & _ONE) << np.uint64(y * width + x)
+                state |= ((holding(cells, y + 1, x + 1, word, code, full) >> bit) & _ONE) << np.uint64(y * width + x)
         states[run] = state

@@ -66,7 +66,6 @@ def _take_together(planes, where, wet, kind, ink):
         cells = bit_planes.unpack(planes, where, first)
         np.copyto(cells, ink.material == material, where=wet)
         bit_planes.pack_cells(cells.view(np.uint8), planes[first : first + 4], where.words)
-    bit_planes.shift_walls(planes, where.rows, where.words)
     return (int(ink.material == GRAIN) - int(kind == GRAIN)) * int(np.count_nonzero(wet))
 
 

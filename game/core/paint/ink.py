@@ -6,7 +6,7 @@ import numpy as np
 
 from game.core.chance import mix
 from game.core.jit import gate
-from game.core.planes import COLOURS, DEPTH, SAND, SHIFTED_WALLS, WALLS
+from game.core.planes import COLOURS, DEPTH, SAND, WALLS
 
 EMPTY, GRAIN, WALL = range(3)  # the kinds of cells, and so the materials that make a cell one of them
 ANY = 0b111  # a set of kinds has bit k for kind k
@@ -31,19 +31,6 @@ class Ink(NamedTuple):
 @gate
 def _set(plane, at, bit, on):
     plane[at] = plane[at] | bit if on else plane[at] & ~bit
-
-
-@gate
-def _set_wall(planes, plane, start, word, words, bit, on):
-    """Set a wall's bit, and in even columns its copy for odd x."""
-    _set(planes[WALLS + plane], start + word, bit, on)
-    if plane & 1:
-        return
-    copy = planes[SHIFTED_WALLS + (plane >> 1)]
-    if word:
-        _set(copy, start + word, bit, on)
-    elif bit > _ONE:
-        _set(copy, start + words, bit >> _ONE, on)
 
 
 @gate
@@ -80,15 +67,14 @@ def put(planes, words, x, y, ink):
     plane = 2 * (y & 1) + (x & 1)
     lane = (x >> 1) // words
     word = (x >> 1) - lane * words
-    start = (y >> 1) * (words + 1)
-    at = start + word
+    at = (y >> 1) * (words + 1) + word
     bit = _ONE << np.uint64(lane)
     was_sand = (planes[SAND + plane, at] & bit) != 0
     kind = GRAIN if was_sand else WALL if (planes[WALLS + plane, at] & bit) != 0 else EMPTY
     if not (ink.kinds >> kind) & 1 or (ink.spray and not _sprayed(ink.spray, x, y)):
         return 0
     _set(planes[SAND + plane], at, bit, ink.material == GRAIN)
-    _set_wall(planes, plane, start, word, words, bit, ink.material == WALL)
+    _set(planes[WALLS + plane], at, bit, ink.material == WALL)
     _dye(planes, plane, at, bit, was_sand, ink.material == GRAIN, (x + y) // STRIPE, ink.colour, ink.tally)
     return int(ink.material == GRAIN) - int(was_sand)
 

@@ -15,7 +15,6 @@ class ActiveBands:
         bands = -(-layout.rows // self.band_rows)
         self.quiet = np.zeros(bands, np.int64)  # iterations in which nothing moved or could have, up to CYCLE
         self.changed = np.zeros(bands, np.int64)  # the stamp of the latest change
-        self.busy = np.full(bands, self.band_rows * layout.stride)  # words in which a grain moved in a latest iteration
         self.stamp = 1  # rises with every batch of iterations and every act
         self.woken = 1  # the stamp of the latest change from outside: without one, no wall has changed
         self.remade = 1  # the stamp of the latest change from outside to all of the lattice

@@ -4,14 +4,13 @@ from functools import lru_cache
 
 import numpy as np
 
-from game.core.chance import chance_of
-from game.core.grain_colours import ROW, Tracks
-from game.core.planes import aligned
+from game.core.compiler.rule_pass import pass_of
+from game.core.planes import DEPTH
 from game.core.step import advance_planes
-from game.core.step_coloured import advance_together
 from game.world.sand import fixtures, parameters
 from game.world.sand.fixtures import Traffic
 from game.world.sand.grain_account import NO_GRAINS, added
+from game.world.sand.sand_table import SAND_TABLE
 
 NO_TRAFFIC = Traffic(NO_GRAINS, NO_GRAINS)
 
@@ -38,21 +37,22 @@ def advance(world, rule, iterations):
 
 def _run(world, rule, iterations):
     """Run iterations at once, in which no fixture acts."""
-    certain, chance, seven = needs(rule)
+    moving = pass_of(SAND_TABLE, rule.probabilities, DEPTH if world.coloured else 0)
     where, activity = world.layout, world.activity
     activity.expect(rule.schedule, world.iteration)
-    planes = world.planes.reshape(-1)
-    shape = where.length, where.rows, where.stride, activity.band_rows
-    quiet, changed, stamp = activity.quiet, activity.changed, activity.stamp
-    offsets = offsets_from(rule.offsets, world.iteration % len(rule.offsets))
-    if certain and world.coloured:
-        advance_together(planes, shape, quiet, activity.busy, changed, stamp, offsets, iterations)
-    else:
-        seed, iteration = np.uint64(world.seed), np.uint64(world.iteration & _MASK)
-        tracks = Tracks(aligned(3 * ROW), np.empty(ROW, np.uint8)) if world.coloured else None
-        advance_planes(
-            planes, shape, quiet, changed, stamp, offsets, seed, iteration, iterations, certain, chance, seven, tracks
-        )
+    advance_planes(
+        world.planes.reshape(-1),
+        (where.length, where.rows, where.stride, activity.band_rows),
+        (moving.address, outside_words(SAND_TABLE, len(world.planes) // 4), moving.chances),
+        (moving.top, moving.bottom),
+        activity.quiet,
+        activity.changed,
+        activity.stamp,
+        offsets_from(rule.offsets, world.iteration % len(rule.offsets)),
+        np.uint64(world.seed),
+        np.uint64(world.iteration & _MASK),
+        iterations,
+    )
     world.iteration += iterations
     activity.iteration = world.iteration
 
@@ -64,9 +64,6 @@ def offsets_from(offsets, phase):
 
 
 @lru_cache(maxsize=64)
-def needs(rule):
-    """Return the (certain, chance, seven) that `advance_planes` needs for the rule."""
-    if all(p == 1.0 for p in rule.probabilities):
-        return True, None, None
-    only_topples = all(p == 1.0 for p in rule.probabilities[2:])
-    return None, chance_of(rule.probabilities), None if only_topples else True
+def outside_words(table, bits):
+    """Return a word of what is outside of the lattice for each of so many bits of a cell; only to be read."""
+    return np.array([_MASK * (table.outside >> bit & 1) for bit in range(bits)], np.uint64)

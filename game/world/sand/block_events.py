@@ -20,7 +20,7 @@ MOVES = (
 class BlockEvents(NamedTuple):
     """What can happen in some blocks: one entry of each array a block."""
 
-    rows: np.ndarray  # int64, the lattice row of the block's upper left corner
+    rows: np.ndarray  # int64, the lattice row of the block's upper left corner, -1 if that is outside
     columns: np.ndarray
     moves: np.ndarray  # int64, places in MOVES
     chances: np.ndarray  # float64, 0 < p ≤ 1
@@ -41,8 +41,10 @@ def coming_events(world, rule, box):
     x, y = offset(world, rule)
     sand, walls = Crop(world, box).cells
     bottom, right = box.top + box.height, box.left + box.width
-    outside = (0, bottom == world.shape[0]), (0, right == world.shape[1])
+    above, left = 2 * (box.top == 0), 2 * (box.left == 0)
+    outside = (above, bottom == world.shape[0]), (left, right == world.shape[1])
     sand, walls = np.pad(sand, outside), np.pad(walls, outside, constant_values=True)
+    top, first = box.top - above + y, box.left - left + x
     a, b, _, _ = _corners(sand, x, y)
     oa, ob, oc, od = _corners(sand | walls, x, y)
     left, right = a & ~oc, b & ~od
@@ -62,7 +64,7 @@ def coming_events(world, rule, box):
     chances = np.select(*zip(*kinds, strict=True))
     rows, columns = np.nonzero((moves >= 0) & (chances > 0))
     found = rows, columns
-    return BlockEvents(box.top + y + 2 * rows, box.left + x + 2 * columns, moves[found], chances[found])
+    return BlockEvents(top + 2 * rows, first + 2 * columns, moves[found], chances[found])
 
 
 def happened(events, world, box):

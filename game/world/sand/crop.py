@@ -61,7 +61,7 @@ class Crop:
         words = slice(row * where.stride, (row + -(-box.height // 2)) * where.stride)
         self.box = box
         self.fixtures = tuple(each.moved(-box.left, -box.top) for each in world.fixtures)
-        self._planes = world.planes[: bit_planes.SHIFTED_WALLS, words].copy()
+        self._planes = world.planes[: bit_planes.PLANES, words].copy()
         self._band = where._replace(height=box.height)
 
     @property

@@ -4,21 +4,24 @@ Runs are replicas of one lattice, moved in groups so that memory is bounded. Wha
 and of its own number: neither groups nor threads nor progress change a bit. The interpreter lock is released meanwhile.
 """
 
-from functools import lru_cache
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 
-from game.core.chance import CERTAIN, chance_of, threshold
-from game.core.ensemble.block_visit import MOST_WORDS
+from game.core.chance import CERTAIN, threshold
+from game.core.compiler.rule_pass import pass_of
 from game.core.ensemble.runs import BITS, advance_replicas, count_replicas, read_states, replicate
 from game.world.sand import parameters
 from game.world.sand.fixtures import act_on_replicas, pause
 from game.world.sand.rule import Rule
+from game.world.sand.sand_table import SAND, SAND_TABLE, WALL
 from game.world.sand.world import check_cells
 
-GROUP_WORDS = 2**23  # words in a group's cells, 64 MiB; more is faster on large lattices, but slow to lay out
+MOST_WORDS = 64  # words of a bit of a cell in a group at most; more is no faster
+GROUP_WORDS = (
+    2**23
+)  # words of a bit of all cells in a group, 64 MiB; more is faster on large lattices, but slow to lay out
 FEW_WORDS = 8  # words in the first group of a forecast that grows: so much is cheaper by the run than less
 BITE = 15_000  # work between two looks at `cancelled`, 1-10 ms; less costs speed on small lattices
 STATE_CELLS = 64  # cells of a lattice whose state fits a word
@@ -74,7 +77,7 @@ def counts_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=
     ensemble, moments = _checked(sand, walls, rule, runs, seed, start, fixtures), _checked_moments(moments)
     counts = np.zeros((len(moments), *ensemble.sand.shape), np.int64)
     for moment, _, group in _follow(ensemble, moments, progress, cancelled):
-        count_replicas(group.cells, ensemble.weight, counts[moment])
+        count_replicas(group, SAND, ensemble.weight, counts[moment])
     return counts
 
 
@@ -87,8 +90,8 @@ def growing_counts(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, c
     ensemble, moments = _checked(sand, walls, rule, runs, seed, start, fixtures), _checked_moments([iterations])
     counts = np.zeros(ensemble.sand.shape, np.int64)
     for _, first, group in _follow(ensemble, moments, cancelled=cancelled, few=FEW_WORDS):
-        count_replicas(group.cells, ensemble.weight, counts)
-        yield min(ensemble.runs, ensemble.weight * (first + group.cells.shape[2] * BITS)), counts
+        count_replicas(group, SAND, ensemble.weight, counts)
+        yield min(ensemble.runs, ensemble.weight * (first + len(group.seeds) * BITS)), counts
 
 
 def states_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
@@ -102,10 +105,10 @@ def states_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=
     states = np.empty((len(moments), ensemble.runs), np.uint64)
     for moment, first, group in _follow(ensemble, moments, progress, cancelled):
         if ensemble.weight > 1:
-            read_states(group.cells, states[moment, :1])
+            read_states(group, SAND, states[moment, :1])
             states[moment] = states[moment, 0]
         else:
-            read_states(group.cells, states[moment, first : first + group.cells.shape[2] * BITS])
+            read_states(group, SAND, states[moment, first : first + len(group.seeds) * BITS])
     return states
 
 
@@ -135,14 +138,21 @@ def _groups(ensemble, few):
         words = min(2 * words, most)
 
 
+def _group(ensemble, first, runs):
+    """Return the Replicas of so many runs from number `first` on."""
+    codes = ensemble.sand * np.uint8(SAND) + ensemble.walls * np.uint8(WALL)
+    lanes = _pass_for(ensemble.rule, -(-runs // BITS)).lanes
+    return replicate(codes, SAND_TABLE.bits, SAND_TABLE.outside, ensemble.seed, first, runs, lanes)
+
+
 def _follow(ensemble, moments, progress=None, cancelled=None, few=MOST_WORDS):
     """Yield (number of the moment, number of the first run, replicas) for each group of runs at each moment."""
     work = ensemble.runs // ensemble.weight * max(moments, default=0)
     for first, here in _groups(ensemble, few):
-        group = replicate(ensemble.sand, ensemble.walls, ensemble.seed, first, here)
+        group = _group(ensemble, first, here)
         now = 0
         for number, moment in enumerate(moments):
-            for done in _stretches(group, ensemble, here, now, moment, cancelled):
+            for done in _stretches(group, ensemble, now, moment, cancelled):
                 if progress is not None:
                     progress(ensemble.runs * (first * moments[-1] + here * done) // work)
             now = moment
@@ -151,13 +161,13 @@ def _follow(ensemble, moments, progress=None, cancelled=None, few=MOST_WORDS):
         progress(ensemble.runs)
 
 
-def _stretches(group, ensemble, runs, now, moment, cancelled):
-    """Run a group of so many runs to iteration `moment` in place, its fixtures acting; yield how many are done."""
+def _stretches(group, ensemble, now, moment, cancelled):
+    """Run a group to iteration `moment` in place, its fixtures acting; yield how many are done."""
     while now < moment:
         end = moment
         if ensemble.fixtures:
             begin = ensemble.start + now
-            act_on_replicas(ensemble.fixtures, begin, group, runs)
+            act_on_replicas(ensemble.fixtures, begin, group)
             end = min(end, now + pause(ensemble.fixtures, begin))
         for done in _bites(group, ensemble, now, end - now, cancelled):
             yield now + done
@@ -169,16 +179,16 @@ def _bites(group, ensemble, now, iterations, cancelled):
     begin = ensemble.start + now
     offsets = np.array(ensemble.rule.offsets, np.int64)
     offsets = np.roll(offsets, -(begin % len(offsets)), axis=0)
-    chances = _chances(ensemble.rule)
+    moving = _pass_for(ensemble.rule, len(group.seeds))
+    run = moving.address, moving.chances
     done = row = 0
     while done < iterations:
         if cancelled is not None and cancelled():
             raise Cancelled
-        done, row = advance_replicas(group, offsets, np.uint64(begin & _MASK), iterations, chances, done, row, BITE)
+        done, row = advance_replicas(group, run, offsets, np.uint64(begin & _MASK), iterations, done, row, BITE)
         yield done
 
 
-@lru_cache(maxsize=64)
-def _chances(rule):
-    chance = chance_of(rule.probabilities)
-    return chance.always, chance.digits[: chance.draws]
+def _pass_for(rule, words):
+    """Return the Pass that moves groups of so many words, no more of them at a time than there are."""
+    return pass_of(SAND_TABLE, rule.probabilities, most_lanes=1 << (words - 1).bit_length())

@@ -4,7 +4,6 @@ import math
 from dataclasses import asdict, dataclass, replace
 from typing import NamedTuple
 
-from game.core.ensemble.runs import full_words
 from game.core.paint.ink import EMPTY, GRAIN, Ink, by_colour
 from game.core.paint.primitives import RECTANGLE, figure
 from game.world.sand import parameters
@@ -101,17 +100,16 @@ def act(world):
     return Traffic(poured, swallowed)
 
 
-def act_on_replicas(fixtures, iteration, group, runs):
-    """Let the fixtures act that are due before an iteration, in place, on a group of Replicas, `runs` of them."""
-    full = full_words(runs)
-    height, width = group.walls.shape[0] - 2, group.walls.shape[1] - 2
+def act_on_replicas(fixtures, iteration, group):
+    """Let the fixtures act that are due before an iteration, in place, on a group of Replicas."""
+    height, width = group.awake.shape[0] - 2, group.awake.shape[1] - 2
     for each in fixtures:
         left, top, right, bottom = each.box
         left, top, right, bottom = max(left, 0) + 1, max(top, 0) + 1, min(right, width) + 1, min(bottom, height) + 1
         if iteration % each.every or left >= right or top >= bottom:
             continue
-        free = group.walls[top:bottom, left:right, None] == 0
-        group.cells[top:bottom, left:right] = full * free if each.kind == TAP else 0
+        sand, walls = (group.cells[top:bottom, left:right, bit] for bit in range(2))
+        sand[...] = group.full & ~walls if each.kind == TAP else 0
         group.awake[top - 1 : bottom, left - 1 : right] = 1
 
 

@@ -18,10 +18,10 @@ def twins_events(world, rule):
     cells, (x, y) = rows_of(world), offset(world, rule)
     height, width = world.shape
     found = {}
-    for row in range(y, height, 2):
-        for column in range(x, width, 2):
+    for row in range(-y, height, 2):
+        for column in range(-x, width, 2):
             places = [(row + dy, column + dx) for dy, dx in CORNERS]
-            event = reference.event(*(cells[r][c] if r < height and c < width else "#" for r, c in places))
+            event = reference.event(*(cells[r][c] if 0 <= r < height and 0 <= c < width else "#" for r, c in places))
             if event:
                 p = 1.0 if event[1] == reference.ALWAYS else getattr(rule, event[1])
                 if p > 0:
@@ -53,7 +53,7 @@ def test_every_block_is_said_to_do_what_the_twin_does(schedule, shape):
 
 
 def _is_in(row, column, place, shape):
-    return row + place[0] < shape[0] and column + place[1] < shape[1]
+    return 0 <= row + place[0] < shape[0] and 0 <= column + place[1] < shape[1]
 
 
 def test_where_nothing_is_left_to_chance_the_step_does_what_was_said():

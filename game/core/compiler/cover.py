@@ -1,0 +1,124 @@
+"""Covers: gates for a set of block states, as simple as the states that do not matter allow.
+
+What a picture matches is, nearly always, a class of codes at each corner and a relation between some pairs of them.
+That is found again here from the states alone; a set that is nothing of the kind is split bit by bit.
+"""
+
+from itertools import combinations
+
+import numpy as np
+
+from game.core.compiler.circuit import FALSE, TRUE
+
+PAIRS = tuple(combinations(range(4), 2))
+
+
+class Covers:
+    """Makes literals of sets of block states in a circuit; its first inputs are the bits of the corners' codes."""
+
+    def __init__(self, circuit, bits, codes):
+        self.circuit, self.bits, self.codes = circuit, bits, codes
+        self._known = {}
+
+    def bit(self, corner, number):
+        """Return the literal of a bit of a corner's code."""
+        return self.circuit.input(corner * self.bits + number)
+
+    def cover(self, wanted, unwanted):
+        """Return a literal that is true on the states `wanted` and false on those `unwanted`, both (states,) bool."""
+        key = wanted.tobytes(), unwanted.tobytes()
+        if key not in self._known:
+            self._known[key] = self._cover(wanted, unwanted)
+        return self._known[key]
+
+    def _cover(self, wanted, unwanted):
+        side = (2**self.bits,) * 4
+        wanted, unwanted = wanted.reshape(side), unwanted.reshape(side)
+        parts = {(corner,): _shadow(wanted, (corner,)) for corner in range(4)}
+        pairs = {pair: _shadow(wanted, pair) for pair in PAIRS}
+        while (inside := _product(parts, unwanted)).any():
+            left = {pair: np.count_nonzero(inside & shadow) for pair, shadow in pairs.items()}
+            best = min(left, key=left.get, default=None)
+            if best is None or left[best] == np.count_nonzero(inside):
+                return self._split(wanted.ravel(), unwanted.ravel(), range(4))
+            parts[best] = pairs.pop(best)
+        for part in sorted(parts, key=len):
+            others = {each: shadow for each, shadow in parts.items() if each != part}
+            if not _product(others, unwanted).any():
+                parts = others
+        return self.circuit.all(self._part(part, parts) for part in sorted(parts))
+
+    def _part(self, part, parts):
+        """Return the literal of what a set of states shows of one corner or of two."""
+        shadow = parts[part]
+        axes = tuple(3 - corner for corner in range(4) if corner not in part)
+        wanted = shadow.any(axis=axes).ravel()
+        possible = np.ones((2**self.bits,) * 4, bool)
+        for each, other in parts.items():
+            if each != part and set(each) < set(part):
+                possible &= other
+        used = _used(self.codes, self.bits, len(part)) & possible.any(axis=axes).ravel()
+        unwanted = ~wanted & used
+        key = part, wanted.tobytes(), unwanted.tobytes()
+        if key not in self._known:
+            self._known[key] = self._split(wanted & used, unwanted, part)
+        return self._known[key]
+
+    def _split(self, wanted, unwanted, corners):
+        """Return the literal of a set of states of some corners, split bit by bit, in the cheapest order tried."""
+        orders = []
+        for numbers in (range(self.bits), range(self.bits)[::-1]):
+            orders.append([(corner, number) for number in numbers for corner in corners])
+            if len(corners) > 1:
+                orders.append([(corner, number) for corner in corners for number in numbers])
+        places = {
+            (corner, number): at * self.bits + number
+            for at, corner in enumerate(corners)
+            for number in range(self.bits)
+        }
+        inputs = len(places)
+        builders = []
+        for order in orders:
+            axes = [inputs - 1 - places[each] for each in order]
+            sets = [flags.reshape((2,) * inputs).transpose(axes).ravel() for flags in (wanted, unwanted)]
+            literals = [self.bit(*each) for each in order]
+            builders.append(lambda sets=sets, literals=literals: self._decide(*sets, literals, {}))
+        return self.circuit.cheapest(builders)
+
+    def _decide(self, wanted, unwanted, literals, known):
+        """Return the literal of a set of states, numbered with the first of `literals` as their highest bit."""
+        if not wanted.any():
+            return FALSE
+        if not unwanted.any():
+            return TRUE
+        key = wanted.tobytes(), unwanted.tobytes(), len(literals)
+        if key not in known:
+            half, rest = len(wanted) // 2, literals[1:]
+            low, high = (wanted[:half], unwanted[:half]), (wanted[half:], unwanted[half:])
+            if not ((low[0] | high[0]) & (low[1] | high[1])).any():
+                known[key] = self._decide(low[0] | high[0], low[1] | high[1], rest, known)
+            else:
+                high, low = self._decide(*high, rest, known), self._decide(*low, rest, known)
+                known[key] = self.circuit.choice(literals[0], high, low)
+        return known[key]
+
+
+def _shadow(states, corners):
+    """Return all states that agree with one of `states`, indexed d c b a, at some corners; broadcastable."""
+    return states.any(axis=tuple(3 - corner for corner in range(4) if corner not in corners), keepdims=True)
+
+
+def _product(parts, states):
+    """Return which of the states, indexed d c b a, agree with every part."""
+    for shadow in parts.values():
+        states = states & shadow
+    return states
+
+
+def _used(codes, bits, corners):
+    """Return which states of so many corners have codes in use only."""
+    used = np.arange(2**bits) < codes
+    found = used
+    for _ in range(corners - 1):
+        found = np.logical_and.outer(used, found).ravel()
+    return found

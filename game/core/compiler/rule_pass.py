@@ -1,0 +1,67 @@
+"""Passes: the machine code of a rule, made when first asked for and checked before it is used."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from game.core.compiler import self_check
+from game.core.compiler.machine_code import MachineCode, lanes, machine
+from game.core.compiler.plan import CHANCE, Plan, kinds_of, plan, threshold_of
+from game.core.compiler.vector_ir import NAME, chances_of, source
+from game.core.rule_table import corners
+
+KEPT = 32  # passes in memory; each is some ten kilobytes
+
+
+class Pass(NamedTuple):
+    """A rule ready to run, for one set of probabilities."""
+
+    code: MachineCode  # to be kept as long as the address is used
+    chances: np.ndarray  # see `vector_ir`
+    draws: bool  # whether anything is left to chance
+    top: bool  # whether blocks whose upper row is outside have events
+    bottom: bool  # whether those whose lower row is outside have
+    lanes: int  # words it takes at a time
+
+    @property
+    def address(self):
+        """Where the machine code starts."""
+        return self.code.address
+
+
+@lru_cache(maxsize=64)
+def pass_of(table, probabilities, payload=0, most_lanes=None):
+    """Return the Pass of a RuleTable for a tuple of probabilities, one for each slot.
+
+    payload: bits that go with a cell's content and decide nothing. most_lanes: words at a time at most. Raises
+    RuntimeError where the machine code of this machine does not do what the table says.
+    """
+    kinds = kinds_of(table, probabilities)
+    made = _compiled(table, tuple(kinds.items()), payload, min(lanes(), most_lanes or lanes()))
+    chances = chances_of(made.plan, lambda _, slots: threshold_of(slots, probabilities))
+    top, bottom = (_events_beside(table, row) for row in ((0, 1), (2, 3)))
+    return Pass(made.code, chances, CHANCE in kinds.values(), top, bottom, made.lanes)
+
+
+class _Compiled(NamedTuple):
+    plan: Plan
+    code: MachineCode
+    lanes: int
+
+
+@lru_cache(maxsize=KEPT)
+def _compiled(table, kinds, payload, most_lanes):
+    """Return what is the same for all probabilities of the same kinds."""
+    gates = plan(table, dict(kinds))
+    for at_once in dict.fromkeys((most_lanes, 1)):
+        code = MachineCode(source(gates, at_once, payload), NAME)
+        if self_check.agrees(code.address, table, gates, dict(kinds), payload, at_once):
+            return _Compiled(gates, code, at_once)
+    raise RuntimeError(f"the code made for this rule moves blocks otherwise than its table says: {machine()}")
+
+
+def _events_beside(table, row):
+    """Return whether a claim holds a state in which a row of corners is outside."""
+    states = [corners(claim.states, table.bits) for layer in table.layers for claim in layer]
+    return any((np.all([codes[corner] == table.outside for corner in row], axis=0)).any() for codes in states)

@@ -1,0 +1,334 @@
+"""A plan as LLVM IR with explicit vectors: a function that runs one iteration on the blocks of many words.
+
+    i64 pass(words, at, may, origin, key, chances, size)
+
+words: uint64, all planes. at: int64, where the words start of each bit at the corner a, then b c d; each corner's bits
+of payload, which go where its content goes, follow the bits of its code. may: (size,) uint64, blocks that take part.
+origin: (size,) uint64, which with `key` is where the draws of a word of blocks start. chances: see `chances_of`.
+Returned are two bits: 1 if there was an event, or could have been one, 2 if an outcome was accepted.
+
+The pass takes `lanes` words at a time; `may` and `origin` go up to a whole vector, and what is read beyond `size` is
+written back as it was. A layer without an event in all those blocks is left early. Else random words are drawn until
+no outcome is undecided; then what changes is stored.
+"""
+
+from itertools import pairwise
+
+import numpy as np
+
+from game.core.chance import DRAWS
+from game.core.compiler.circuit import FALSE, TRUE
+from game.core.rule_table import FAIR_STEP, LAYER_STEP
+
+NAME = "sandglass_pass"
+UNROLL = 2  # draws between two looks at whether any block is undecided
+
+_GOLDEN = 0x9E3779B97F4A7C15
+_MULTIPLIERS = (30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB)
+_LAST_SHIFT = 31
+_FULL = 2**64 - 1
+_ARGUMENTS = ("words", "at", "may", "origin", "key", "chances", "size")
+# The stack is aligned for spilled vectors, else they straddle cache lines; Windows' probe of large frames is no
+# symbol that can be resolved here.
+_ATTRIBUTES = 'alignstack(64) nounwind "stackrealign" "frame-pointer"="all" "no-stack-arg-probe"'
+
+
+def source(plan, lanes, payload=0):
+    """Return the text of the pass of a Plan for so many `lanes` and bits of `payload`."""
+    return _Pass(plan, lanes, payload).text()
+
+
+def chances_of(plan, bound):
+    """Return what a pass compares random bits with, (n,) uint64; bound(layer, slots): a threshold below 2**32.
+
+    First come, for each layer, the draws that matter; then its masks, by draw and group, all ones where that binary
+    digit of the group's threshold is 1.
+    """
+    draws, masks = [], []
+    for number, layer in enumerate(plan.layers):
+        bounds = [bound(number, group.slots) for group in layer.groups]
+        rows = [[_FULL if bound >> (DRAWS - 1 - draw) & 1 else 0 for bound in bounds] for draw in range(DRAWS)]
+        draws.append(max((draw + 1 for draw, row in enumerate(rows) if any(row)), default=0))
+        masks += [mask for row in rows for mask in row]
+    return np.array(draws + masks, np.uint64)
+
+
+class _Pass:
+    """Writes the function, a line after the other."""
+
+    def __init__(self, plan, lanes, payload):
+        self.plan, self.lanes, self.payload = plan, lanes, payload
+        self.kind = f"<{lanes} x i64>"
+        self.lines, self.count, self.block = [], 0, "entry"
+        self.values = {}  # node -> (name, whether it holds the inverse)
+        self.streams = []
+
+    def text(self):
+        head = ", ".join(f"i64 %{name}_" for name in _ARGUMENTS)
+        self.lines.append(f"define i64 @{NAME}({head}) {_ATTRIBUTES} {{")
+        self._entry()
+        self._loop()
+        self.lines.append("}")
+        self.lines.append(f"declare i1 @llvm.vector.reduce.or.v{self.lanes}i1(<{self.lanes} x i1>)")
+        return "\n".join(self.lines)
+
+    # --- lines ---
+
+    def line(self, text):
+        self.lines.append("  " + text)
+
+    def new(self, text):
+        self.count += 1
+        self.line(f"%v{self.count} = {text}")
+        return f"%v{self.count}"
+
+    def op(self, op, x, y):
+        return self.new(f"{op} {self.kind} {x}, {y}")
+
+    def start(self, label):
+        self.lines.append(f"{label}:")
+        self.block = label
+
+    def constant(self, value):
+        value = value % 2**64
+        value -= 2**64 if value >= 2**63 else 0
+        return "<" + ", ".join([f"i64 {value}"] * self.lanes) + ">"
+
+    def inverse(self, x):
+        return self.op("xor", x, self.constant(_FULL))
+
+    def all_lanes(self, scalar):
+        first = self.new(f"insertelement {self.kind} poison, i64 {scalar}, i32 0")
+        return self.new(f"shufflevector {self.kind} {first}, {self.kind} poison, <{self.lanes} x i32> zeroinitializer")
+
+    def load(self, base, index):
+        place = self.new(f"getelementptr i64, ptr {base}, i64 {index}")
+        return self.new(f"load {self.kind}, ptr {place}, align 8")
+
+    def load_word(self, base, index):
+        place = self.new(f"getelementptr i64, ptr {base}, i64 {index}")
+        return self.new(f"load i64, ptr {place}")
+
+    def store(self, value, base, index):
+        place = self.new(f"getelementptr i64, ptr {base}, i64 {index}")
+        self.line(f"store {self.kind} {value}, ptr {place}, align 8")
+
+    def any_bit(self, x):
+        flags = self.new(f"icmp ne {self.kind} {x}, zeroinitializer")
+        return self.new(f"call i1 @llvm.vector.reduce.or.v{self.lanes}i1(<{self.lanes} x i1> {flags})")
+
+    def any_of(self, values):
+        """Return the or of some values, at least one."""
+        result = values[0]
+        for each in values[1:]:
+            result = self.op("or", result, each)
+        return result
+
+    def meeting(self, name, ways):
+        """Write a phi of (value, label) pairs at the start of a block."""
+        self.line(f"{name} = phi {self.kind} " + ", ".join(f"[{value}, %{label}]" for value, label in ways))
+        return name
+
+    # --- gates ---
+
+    def work_out(self, literals):
+        """Write the gates that literals need and that are not there yet."""
+        for node in self.plan.circuit.cone(literals):
+            if node not in self.values:
+                self.values[node] = self._gate(self.plan.circuit.gates[node])
+
+    def _gate(self, gate):
+        (x, x_inverted), (y, y_inverted) = (self._held(literal) for literal in gate[1:])
+        if gate.op == "xor":
+            return self.op("xor", x, y), x_inverted != y_inverted
+        if x_inverted and y_inverted:
+            return self.op("or", x, y), True
+        if x_inverted:
+            return self.op("and", y, self.inverse(x)), False
+        return self.op("and", x, self.inverse(y) if y_inverted else y), False
+
+    def _held(self, literal):
+        name, inverted = self.values[literal >> 1]
+        return name, inverted != bool(literal & 1)
+
+    def literal(self, literal):
+        if literal in (FALSE, TRUE):
+            return self.constant(_FULL if literal else 0)
+        name, inverted = self._held(literal)
+        return self.inverse(name) if inverted else name
+
+    # --- the function ---
+
+    def _entry(self):
+        self.start("entry")
+        for name in _ARGUMENTS:
+            if name not in ("key", "size"):
+                self.line(f"%{name} = inttoptr i64 %{name}_ to ptr")
+        total = self.plan.bits + self.payload
+        for number in range(4 * total):
+            self.streams.append(self.new(f"getelementptr i64, ptr %words, i64 {self.load_word('%at', number)}"))
+        self.key = self.all_lanes("%key_")
+        self.line("br label %top")
+
+    def _loop(self):
+        self.start("top")
+        self.line("%i = phi i64 [0, %entry], [%next, %again]")
+        stirred = self.meeting("%stirred", [("zeroinitializer", "entry"), ("%stirred_then", "again")])
+        moved = self.meeting("%moved", [("zeroinitializer", "entry"), ("%moved_then", "again")])
+        for corner in range(4):
+            for number in range(self.plan.bits):
+                node = 1 + corner * self.plan.bits + number
+                self.values[node] = self.load(self._stream(corner, number), "%i"), False
+        free = self.load("%may", "%i")
+        for number in range(len(self.plan.layers)):
+            stirred, moved, free = self._layer(number, stirred, moved, free)
+        self.line("br label %again")
+        self.start("again")
+        self.line(f"%stirred_then = or {self.kind} {stirred}, zeroinitializer")
+        self.line(f"%moved_then = or {self.kind} {moved}, zeroinitializer")
+        self.line(f"%next = add i64 %i, {self.lanes}")
+        self.line("%more = icmp ult i64 %next, %size_")
+        self.line("br i1 %more, label %top, label %end")
+        self.start("end")
+        bits = [self.new(f"zext i1 {self.any_bit(each)} to i64") for each in ("%stirred_then", "%moved_then")]
+        twice = self.new(f"shl i64 {bits[1]}, 1")
+        self.line(f"ret i64 {self.new(f'or i64 {bits[0]}, {twice}')}")
+
+    def _stream(self, corner, number):
+        return self.streams[corner * (self.plan.bits + self.payload) + number]
+
+    def _layer(self, number, stirred, moved, free):
+        """Write a layer; return what stirred and what moved so far, and which blocks are free for the next layer."""
+        layer = self.plan.layers[number]
+        self.work_out([layer.event])
+        here = self.op("and", self.literal(layer.event), free)
+        stirred = self.op("or", stirred, here)
+        self.line(f"br i1 {self.any_bit(here)}, label %act{number}, label %done{number}")
+        before, outer = self.block, dict(self.values)
+        self.start(f"act{number}")
+        accepted = self._decide(number, layer, free)
+        self._act(number, layer, accepted)
+        moved_now = self.op("or", moved, accepted[-1])
+        free_now = self.op("and", free, self.inverse(accepted[-1]))
+        after, self.values = self.block, outer
+        self.line(f"br label %done{number}")
+        self.start(f"done{number}")
+        moved = self.meeting(f"%moved{number}", [(moved, before), (moved_now, after)])
+        free = self.meeting(f"%free{number}", [(free, before), (free_now, after)])
+        return stirred, moved, free
+
+    # --- chance ---
+
+    def _random(self, place):
+        for shift, multiplier in _MULTIPLIERS:
+            place = self.op("xor", place, self.op("lshr", place, self.constant(shift)))
+            place = self.op("mul", place, self.constant(multiplier))
+        return self.op("xor", place, self.op("lshr", place, self.constant(_LAST_SHIFT)))
+
+    def _origin(self, step):
+        place = self.op("add", self.load("%origin", "%i"), self.key)
+        return self.op("add", place, self.constant(step)) if step else place
+
+    def _decide(self, number, layer, free):
+        """Write what decides; return, by level, the blocks in which the outcome or an earlier one happens."""
+        wanted = [*layer.sure, *(group.blocks for group in layer.groups)]
+        changes = [literal for level in (*layer.deltas, *layer.moves) for literal in level.values()]
+        fair = self.plan.fair
+        if fair is not None and self.plan.circuit.uses([*wanted, *changes], fair):
+            self.values[1 + fair] = self._random(self._origin(FAIR_STEP)), False
+        self.work_out(wanted)
+        sure = [self.op("and", self.literal(each), free) for each in layer.sure]
+        if not layer.groups:
+            return sure
+        blocks = [self.literal(group.blocks) for group in layer.groups]
+        levels = range(len(layer.sure))
+        own = [[at for at, group in enumerate(layer.groups) if group.level == level] for level in levels]
+        undecided = [
+            self.op("and", self.any_of([blocks[at] for at in own[level]]), free) if own[level] else self.constant(0)
+            for level in levels
+        ]
+        return self._draw(number, layer, sure, undecided, blocks, own)
+
+    def _draw(self, number, layer, sure, undecided, blocks, own):
+        """Write the loop that draws for the undecided blocks."""
+        before, levels = self.block, range(len(sure))
+        origin = self._origin(number * LAYER_STEP)
+        draws = self.load_word("%chances", number)
+        masks = len(self.plan.layers) + DRAWS * sum(len(each.groups) for each in self.plan.layers[:number])
+        first = self.new(f"getelementptr i64, ptr %chances, i64 {masks}")
+        self.line(f"br i1 {self.any_bit(self.any_of(undecided))}, label %draw{number}, label %drawn{number}")
+        loop, name = f"draw{number}", f"{number}_"
+        self.start(loop)
+        self.line(f"%n{number} = phi i64 [0, %{before}], [%n{number}_next, %{loop}]")
+        place = self.meeting(f"%place{number}", [(origin, before), (f"%place{number}_next", loop)])
+        accepted = [
+            self.meeting(f"%yes{name}{at}", [(sure[at], before), (f"%yes{name}{at}_next", loop)]) for at in levels
+        ]
+        rest = [
+            self.meeting(f"%rest{name}{at}", [(undecided[at], before), (f"%rest{name}{at}_next", loop)])
+            for at in levels
+        ]
+        row = self.new(f"mul i64 %n{number}, {len(blocks)}")
+        row = self.new(f"getelementptr i64, ptr {first}, i64 {row}")
+        for turn in range(UNROLL):
+            random = self._random(self.op("add", place, self.constant(turn * _GOLDEN)) if turn else place)
+            for level in levels:
+                if own[level]:
+                    digit = self._digit(row, turn * len(blocks), own[level], blocks)
+                    won = self.op("and", rest[level], self.op("and", digit, self.inverse(random)))
+                    accepted[level] = self.op("or", accepted[level], won)
+                    differ = self.inverse(self.op("xor", random, digit))
+                    rest[level] = self.op("and", rest[level], differ)
+        for at in levels:
+            self.line(f"%yes{name}{at}_next = or {self.kind} {accepted[at]}, zeroinitializer")
+            self.line(f"%rest{name}{at}_next = or {self.kind} {rest[at]}, zeroinitializer")
+        self.line(f"%place{number}_next = add {self.kind} {place}, {self.constant(UNROLL * _GOLDEN)}")
+        self.line(f"%n{number}_next = add i64 %n{number}, {UNROLL}")
+        some = self.any_bit(self.any_of([f"%rest{name}{at}_next" for at in levels]))
+        more = self.new(f"icmp ult i64 %n{number}_next, {draws}")
+        self.line(f"br i1 {self.new(f'and i1 {some}, {more}')}, label %{loop}, label %drawn{number}")
+        self.start(f"drawn{number}")
+        return [
+            self.meeting(f"%accepted{name}{at}", [(sure[at], before), (f"%yes{name}{at}_next", loop)]) for at in levels
+        ]
+
+    def _digit(self, row, first, groups, blocks):
+        """Write the binary digit of each block's threshold."""
+        masks = [self.all_lanes(self.load_word(row, first + at)) for at in groups]
+        return self.any_of([self.op("and", blocks[at], mask) for at, mask in zip(groups, masks, strict=True)])
+
+    # --- changes ---
+
+    def _act(self, number, layer, accepted):
+        """Write what the outcomes change, and the stores."""
+        own = [accepted[0]]
+        own += [self.op("and", now, self.inverse(before)) for before, now in pairwise(accepted)]
+        self.work_out([literal for level in (*layer.deltas, *layer.moves) for literal in level.values()])
+        for corner, bit in sorted({key for level in layer.deltas for key in level}):
+            parts = [
+                self.op("and", mine, self.literal(delta[corner, bit]))
+                for mine, delta in zip(own, layer.deltas, strict=True)
+                if (corner, bit) in delta
+            ]
+            stream = self._stream(corner, bit)
+            # Layers before this one have stored what they changed, in other blocks of the same words.
+            old = self.load(stream, "%i") if number else self.values[1 + corner * self.plan.bits + bit][0]
+            self.store(self.op("xor", old, self.any_of(parts)), stream, "%i")
+        if self.payload:
+            self._carry(layer, own)
+
+    def _carry(self, layer, own):
+        """Write how the bits of payload follow what they belong to."""
+        taken = {}
+        for mine, moves in zip(own, layer.moves, strict=True):
+            for move, literal in moves.items():
+                taken.setdefault(move, []).append(self.op("and", mine, self.literal(literal)))
+        taken = {move: self.any_of(parts) for move, parts in taken.items()}
+        for bit in range(self.plan.bits, self.plan.bits + self.payload):
+            old = {corner: self.load(self._stream(corner, bit), "%i") for corner in {*sum(taken, ())}}
+            for corner in sorted({move[0] for move in taken}):
+                new = old[corner]
+                for (to, source), blocks in taken.items():
+                    if to == corner:
+                        new = self.op("xor", new, self.op("and", blocks, self.op("xor", old[corner], old[source])))
+                self.store(new, self._stream(corner, bit), "%i")
