@@ -21,22 +21,23 @@ _STEP = np.uint64(32 * 0x9E3779B97F4A7C15 % 2**64)  # from the draws of a word o
 
 
 @gate
-def open_seams(planes, start, rows, stride, outside):
-    """Give the last word of rows of a plane of even columns its right-hand neighbours, in the seam behind it.
+def open_seams(planes, upper, lower, rows, stride, outside):
+    """Give the last words of rows of two planes of even columns their right-hand neighbours, in the seams behind them.
 
-    start: where the first of the rows is. outside: a word of what is outside.
+    upper, lower: where the first of the rows is in either plane. outside: a word of what is outside.
     """
-    for row in range(rows):
-        first = start + row * stride
-        planes[first + stride - 1] = (planes[first] >> _ONE) | (outside << _TOP)
+    last = outside << _TOP
+    for row in range(0, rows * stride, stride):
+        planes[upper + row + stride - 1] = (planes[upper + row] >> _ONE) | last
+        planes[lower + row + stride - 1] = (planes[lower + row] >> _ONE) | last
 
 
 @gate
-def close_seams(planes, start, rows, stride):
+def close_seams(planes, upper, lower, rows, stride):
     """Take what the iteration made of the seams back into the rows' first words, whose lowest bit was no seam's."""
-    for row in range(rows):
-        first = start + row * stride
-        planes[first] = (planes[first + stride - 1] << _ONE) | (planes[first] & _ONE)
+    for row in range(0, rows * stride, stride):
+        planes[upper + row] = (planes[upper + row + stride - 1] << _ONE) | (planes[upper + row] & _ONE)
+        planes[lower + row] = (planes[lower + row + stride - 1] << _ONE) | (planes[lower + row] & _ONE)
 
 
 @gate
@@ -46,7 +47,7 @@ def run_rows(run, planes, length, stride, y, x, upper, lower, rows, row, key, ro
     y, x: the partition's offset. upper, lower: the plane rows of the upper and of the lower corners of the first row of
     blocks, which is number `row` of the partition. room: see `room_for`.
     """
-    address, outside, chances = run
+    address, outside, changing, chances = run
     at, may, origin = room
     bits = len(outside)
     above, below = (2 * y) * length + upper * stride, (2 - 2 * y) * length + lower * stride
@@ -56,16 +57,25 @@ def run_rows(run, planes, length, stride, y, x, upper, lower, rows, row, key, ro
         at[bits + bit] = start + above + (1 - x) * length
         at[2 * bits + bit] = start + below + x * length - x
         at[3 * bits + bit] = start + below + (1 - x) * length
-        if x:
-            open_seams(planes, at[bits + bit], rows, stride, outside[bit])
-            open_seams(planes, at[3 * bits + bit], rows, stride, outside[bit])
+        if x and changing[bit]:
+            open_seams(planes, at[bits + bit], at[3 * bits + bit], rows, stride, outside[bit])
     place = key + np.uint64(row * stride - x) * _STEP
     told = call_pass(address, planes, at, may[x], origin, place, chances, rows * stride)
     if x and told:
         for bit in range(bits):
-            close_seams(planes, at[bits + bit], rows, stride)
-            close_seams(planes, at[3 * bits + bit], rows, stride)
+            if changing[bit]:
+                close_seams(planes, at[bits + bit], at[3 * bits + bit], rows, stride)
     return told
+
+
+@gate
+def open_lasting_seams(run, planes, length, stride, first, rows):
+    """Open the seams of bits that never change in `rows` plane rows from `first`: they stay open for a batch."""
+    _, outside, changing, _ = run
+    for bit in range(len(outside)):
+        if not changing[bit]:
+            start = 4 * bit * length + first * stride
+            open_seams(planes, start, start + 2 * length, rows, stride, outside[bit])
 
 
 @gate
@@ -102,10 +112,8 @@ def advance_planes(planes, shape, run, edges, quiet, changed, stamp, offsets, se
     """Run a batch of iterations in place.
 
     planes: all of them, flat: four for each bit of a cell. shape: (words in a plane, plane rows, stride, plane rows in
-    a band). run: (address of a pass; (bits,) uint64, a word of what is outside for each bit; its chances). edges:
-    whether blocks whose upper, and whose lower corners are outside have events. quiet, changed: a value for each band,
-    see `world.Activity`; what stirs is stamped. offsets: (x, y) of the first iterations, repeated. seed, iteration:
-    uint64.
+    a band). run, edges: see `Pass`. quiet, changed: a value for each band, see `ActiveBands`; what stirs is stamped.
+    offsets: (x, y) of the first iterations, repeated. seed, iteration: uint64.
 
     Iterations are skewed: a band runs through several of them while it is in the cache, each one band further up than
     the one before, since what happens in a band depends on that band and the one below, an iteration earlier.
@@ -116,6 +124,7 @@ def advance_planes(planes, shape, run, edges, quiet, changed, stamp, offsets, se
     room, room_above = room_for(band_rows, stride, bits), room_for(1 if top else 0, stride, bits)
     skew = max(1, IN_CACHE // (4 * bits * band_rows * stride))
     stream, bands = seed_stream(seed), len(quiet)
+    opened = np.zeros(bands, np.bool_)
     for start in range(0, iterations, skew):
         depth = min(skew, iterations - start)
         for front in range(bands + depth - 1):
@@ -128,6 +137,9 @@ def advance_planes(planes, shape, run, edges, quiet, changed, stamp, offsets, se
                 key = iteration_key(stream, iteration + np.uint64(t))
                 row = band * band_rows
                 here = min(band_rows, rows - row - (0 if bottom else y))
+                if x and not opened[band]:
+                    open_lasting_seams(run, planes, length, stride, row, min(band_rows + 1, rows - row))
+                    opened[band] = True
                 told = 0
                 if here > 0:
                     told |= run_rows(run, planes, length, stride, y, x, row, row + y, here, row, key, room)

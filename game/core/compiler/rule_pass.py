@@ -7,7 +7,7 @@ import numpy as np
 
 from game.core.compiler import self_check
 from game.core.compiler.machine_code import MachineCode, lanes, machine
-from game.core.compiler.plan import CHANCE, Plan, kinds_of, plan, threshold_of
+from game.core.compiler.plan import Plan, kinds_of, plan, threshold_of
 from game.core.compiler.vector_ir import NAME, chances_of, source
 from game.core.rule_table import corners
 
@@ -17,17 +17,17 @@ KEPT = 32  # passes in memory; each is some ten kilobytes
 class Pass(NamedTuple):
     """A rule ready to run, for one set of probabilities."""
 
-    code: MachineCode  # to be kept as long as the address is used
+    code: MachineCode  # to be kept as long as its address is used
     chances: np.ndarray  # see `vector_ir`
-    draws: bool  # whether anything is left to chance
-    top: bool  # whether blocks whose upper row is outside have events
-    bottom: bool  # whether those whose lower row is outside have
+    outside: np.ndarray  # uint64: for each bit of a cell, payload last, a word of what is outside
+    changing: np.ndarray  # bool: whether a bit of a cell can change
+    edges: tuple  # two bools: whether blocks whose upper, and whose lower corners are outside have events
     lanes: int  # words it takes at a time
 
     @property
-    def address(self):
-        """Where the machine code starts."""
-        return self.code.address
+    def run(self):
+        """What `core.step` needs of it for a band."""
+        return self.code.address, self.outside, self.changing, self.chances
 
 
 @lru_cache(maxsize=64)
@@ -40,8 +40,12 @@ def pass_of(table, probabilities, payload=0, most_lanes=None):
     kinds = kinds_of(table, probabilities)
     made = _compiled(table, tuple(kinds.items()), payload, min(lanes(), most_lanes or lanes()))
     chances = chances_of(made.plan, lambda _, slots: threshold_of(slots, probabilities))
-    top, bottom = (_events_beside(table, row) for row in ((0, 1), (2, 3)))
-    return Pass(made.code, chances, CHANCE in kinds.values(), top, bottom, made.lanes)
+    total = table.bits + payload
+    outside = np.array([(2**64 - 1) * (table.outside >> bit & 1) for bit in range(total)], np.uint64)
+    turned = {bit for layer in made.plan.layers for level in layer.deltas for _, bit in level}
+    changing = np.array([bit in turned or bit >= table.bits for bit in range(total)])
+    edges = _events_beside(table, (0, 1)), _events_beside(table, (2, 3))
+    return Pass(made.code, chances, outside, changing, edges, made.lanes)
 
 
 class _Compiled(NamedTuple):

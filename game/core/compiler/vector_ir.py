@@ -200,6 +200,8 @@ class _Pass:
     def _layer(self, number, stirred, moved, free):
         """Write a layer; return what stirred and what moved so far, and which blocks are free for the next layer."""
         layer = self.plan.layers[number]
+        if layer.event == FALSE:
+            return stirred, moved, free
         self.work_out([layer.event])
         here = self.op("and", self.literal(layer.event), free)
         stirred = self.op("or", stirred, here)

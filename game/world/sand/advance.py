@@ -43,8 +43,8 @@ def _run(world, rule, iterations):
     advance_planes(
         world.planes.reshape(-1),
         (where.length, where.rows, where.stride, activity.band_rows),
-        (moving.address, outside_words(SAND_TABLE, len(world.planes) // 4), moving.chances),
-        (moving.top, moving.bottom),
+        moving.run,
+        moving.edges,
         activity.quiet,
         activity.changed,
         activity.stamp,
@@ -61,9 +61,3 @@ def _run(world, rule, iterations):
 def offsets_from(offsets, phase):
     """Return a schedule's offsets (x, y) as an array that starts with number `phase`; only to be read."""
     return np.array(offsets[phase:] + offsets[:phase], np.int64)
-
-
-@lru_cache(maxsize=64)
-def outside_words(table, bits):
-    """Return a word of what is outside of the lattice for each of so many bits of a cell; only to be read."""
-    return np.array([_MASK * (table.outside >> bit & 1) for bit in range(bits)], np.uint64)

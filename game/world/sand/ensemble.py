@@ -180,7 +180,7 @@ def _bites(group, ensemble, now, iterations, cancelled):
     offsets = np.array(ensemble.rule.offsets, np.int64)
     offsets = np.roll(offsets, -(begin % len(offsets)), axis=0)
     moving = _pass_for(ensemble.rule, len(group.seeds))
-    run = moving.address, moving.chances
+    run = moving.code.address, moving.chances
     done = row = 0
     while done < iterations:
         if cancelled is not None and cancelled():

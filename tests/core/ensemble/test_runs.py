@@ -31,7 +31,7 @@ def run(group, rule, iterations, start=0, budget=10**9, lanes=None):
     moving = pass_of(SAND_TABLE, rule.probabilities, most_lanes=lanes)
     done = row = 0
     while done < iterations:
-        told = (moving.address, moving.chances), offsets, np.uint64(start), iterations
+        told = (moving.code.address, moving.chances), offsets, np.uint64(start), iterations
         done, row = advance_replicas(group, *told, done, row, budget)
     return group
 

@@ -1,0 +1,89 @@
+"""Passes: machine code does to every lattice what the table of its rule says, block by block."""
+
+import numpy as np
+import pytest
+
+from game.core import planes as bit_planes
+from game.core.compiler import machine_code, rule_pass
+from game.core.compiler.rule_pass import pass_of
+from game.core.step import advance_planes
+from game.world.sand.active_bands import ActiveBands
+from game.world.sand.rule import SCHEDULES
+from game.world.sand.sand_table import SAND_TABLE
+from tests.core.compiler import plain
+from tests.core.compiler.rules import random_table
+
+SHAPES = [(1, 1), (2, 3), (9, 12), (8, 128), (5, 129), (70, 3)]
+CHANCES = [(0.5, 0.25, 0.7, 0.3, 0.125, 0.0), (1.0, 0.0, 0.9, 2.0**-9, 0.6, 1.0)]
+
+
+class Lattice:
+    """Cells of a rule's codes as planes."""
+
+    def __init__(self, codes, table):
+        self.table, self.where = table, bit_planes.layout(*codes.shape)
+        self.planes = bit_planes.empty(self.where, 4 * table.bits)
+        for bit in range(table.bits):
+            self.four(bit)[:] = np.uint64((2**64 - 1) * (table.outside >> bit & 1))
+            bit_planes.pack_cells((codes >> bit & 1).astype(np.uint8), self.four(bit), self.where.words)
+        self.bands = ActiveBands(self.where)
+
+    def four(self, bit):
+        return self.planes[4 * bit : 4 * bit + 4]
+
+    @property
+    def codes(self):
+        return sum(bit_planes.unpack(self.planes, self.where, 4 * bit).astype(int) << bit for bit in range(self.table.bits))
+
+    def advance(self, moving, schedule, seed, iteration, iterations):
+        offsets = np.roll(np.array(SCHEDULES[schedule]), -iteration, axis=0)
+        where, bands = self.where, self.bands
+        shape = where.length, where.rows, where.stride, bands.band_rows
+        told = bands.quiet, bands.changed, 1, offsets, np.uint64(seed), np.uint64(iteration), iterations
+        advance_planes(self.planes.reshape(-1), shape, moving.run, moving.edges, *told)
+
+
+@pytest.mark.parametrize("bits", [2, 3, 4])
+@pytest.mark.parametrize("number", range(4))
+def test_any_rule_agrees_with_its_table_block_by_block(bits, number):
+    generator = np.random.default_rng(60 + number)
+    table = random_table(generator, bits)
+    assert table.has_fair_bit
+    layers, schedule = plain.lookups(table), list(SCHEDULES)[number % 3]
+    for chances in CHANCES:
+        moving = pass_of(table, chances)
+        for shape in SHAPES:
+            codes = generator.integers(0, table.codes, shape)
+            lattice, rows = Lattice(codes, table), codes.tolist()
+            for iteration in range(6):
+                offset = SCHEDULES[schedule][iteration % len(SCHEDULES[schedule])]
+                rows = plain.step(table, layers, chances, rows, offset, 7, iteration)
+            lattice.advance(moving, schedule, 7, 0, 2)
+            lattice.advance(moving, schedule, 7, 2, 4)
+            assert (lattice.codes == rows).all(), shape
+
+
+def test_lanes_change_no_bit():
+    generator = np.random.default_rng(70)
+    table = random_table(generator, 3)
+    codes = generator.integers(0, table.codes, (300, 300))
+    found = []
+    for lanes in {1, 2, machine_code.lanes()}:
+        lattice = Lattice(codes, table)
+        lattice.advance(pass_of(table, CHANCES[0], most_lanes=lanes), "balanced", 3, 0, 30)
+        found.append(lattice.codes)
+    assert all((each == found[0]).all() for each in found)
+
+
+def test_what_disagrees_with_its_table_is_tried_a_word_at_a_time_and_else_refused(monkeypatch):
+    asked = []
+
+    def agrees(address, table, plan, kinds, payload, lanes):
+        asked.append(lanes)
+        return lanes == 1
+
+    monkeypatch.setattr(rule_pass.self_check, "agrees", agrees)
+    assert pass_of(SAND_TABLE, (0.5,) * 7, 5).lanes == 1 and asked[-1] == 1
+    monkeypatch.setattr(rule_pass.self_check, "agrees", lambda *told: False)
+    with pytest.raises(RuntimeError, match="otherwise than its table says"):
+        pass_of(SAND_TABLE, (0.5,) * 7, 6)
