@@ -93,10 +93,10 @@ class Circuit:
         """Return the literal of the builder that adds the fewest gates."""
         costs = []
         for build in builders:
-            before = len(self.gates)
+            gates, made = len(self.gates), len(self._made)
             build()
-            costs.append(len(self.gates) - before)
-            self._forget(before)
+            costs.append(len(self.gates) - gates)
+            self._forget(gates, made)
         return builders[costs.index(min(costs))]()
 
     def cone(self, literals):
@@ -134,14 +134,13 @@ class Circuit:
             self._literals[table.tobytes()] = found
         return found
 
-    def _forget(self, count):
-        """Undo all gates from number `count` on."""
-        if len(self.gates) == count:
-            return
-        for table in self._tables[count:]:
+    def _forget(self, gates, made):
+        """Undo what came after so many gates and so many answers."""
+        for table in self._tables[gates:]:
             del self._literals[table.tobytes()]
-        self._made = {gate: literal for gate, literal in self._made.items() if max(literal, *gate[1:]) >> 1 < count}
-        del self.gates[count:], self._tables[count:]
+        while len(self._made) > made:
+            self._made.popitem()
+        del self.gates[gates:], self._tables[gates:]
 
 
 def packed(flags):

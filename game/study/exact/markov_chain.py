@@ -97,14 +97,10 @@ class Chain:
             yield chances
 
 
-def explore(rows, offsets, set_in_walls=False):
-    """Return the Chain of a lattice drawn as rows of '.', 'o' and '#', for a schedule of offsets (x, y).
-
-    set_in_walls: whether the lattice lies inside a larger one, surrounded by walls; blocks then reach over its left and
-    upper edges too, where by itself it has cells that belong to no block.
-    """
+def explore(rows, offsets):
+    """Return the Chain of a lattice drawn as rows of '.', 'o' and '#', for a schedule of offsets (x, y)."""
     start = sum(1 << place for place, cell in enumerate("".join(rows)) if cell == "o")
-    partitions = [_partition(rows, x, y, set_in_walls) for x, y in offsets]
+    partitions = [_partition(rows, x, y) for x, y in offsets]
     index, todo = {start: 0}, [(start, 0)]
     seen, ways = {(start, 0)}, [[] for _ in offsets]
     while todo:
@@ -118,7 +114,7 @@ def explore(rows, offsets, set_in_walls=False):
     return Chain(np.array(list(index), np.uint64), tuple(map(_moves, ways)))
 
 
-def _partition(rows, x, y, set_in_walls):
+def _partition(rows, x, y):
     """Return (cells, what happens) for each block of the partition at (x, y).
 
     cells: the bits of the block's own cells. What happens: {state of these cells: (bits that change, kind)}.
@@ -130,11 +126,10 @@ def _partition(rows, x, y, set_in_walls):
         inside = 0 <= column < width and 0 <= row < height
         return 1 << (row * width + column) if inside and rows[row][column] != "#" else 0
 
-    left, top = (-x, -y) if set_in_walls else (x, y)
     blocks = [
         [corner(column + right, row + down) for down in (0, 1) for right in (0, 1)]
-        for row in range(top, height, 2)
-        for column in range(left, width, 2)
+        for row in range(-y, height, 2)
+        for column in range(-x, width, 2)
     ]
     return [(sum(corners), _events_of(corners)) for corners in blocks]
 

@@ -1,8 +1,7 @@
 """Large worlds tiled with copies of a small lattice, to run many histories at once.
 
 Copies stand at even places, so that their blocks are those of the lattice itself, with walls between them. In a single
-stack a copy's left edge is the world's own, and cells there belong to no block when x is odd, as in a lattice by
-itself. Where copies stand side by side they are set in walls, and every cell belongs to a block.
+stack a copy's left edge is the world's own; side by side they have seams between words in all places.
 """
 
 import numpy as np

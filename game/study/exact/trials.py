@@ -38,14 +38,13 @@ class KernelPath:
 
     words: str
     states: object  # (rows, rule, iterations, runs, seed) -> (runs,) uint64
-    set_in_walls: bool  # as `explore` takes it
     runs: int  # in a full study
 
 
 PATHS = {
-    "replicas": KernelPath("ensemble kernel", _replica_states, False, 10**6),
-    "tiled": KernelPath("kernel of the toy, copies side by side in wide worlds", tiled_states, True, 10**6),
-    "stacked": KernelPath("kernel of the toy, copies in single stacks", stacked_states, False, 250_000),
+    "replicas": KernelPath("ensemble kernel", _replica_states, 10**6),
+    "tiled": KernelPath("kernel of the toy, copies side by side in wide worlds", tiled_states, 10**6),
+    "stacked": KernelPath("kernel of the toy, copies in single stacks", stacked_states, 250_000),
 }
 
 
@@ -62,7 +61,7 @@ class Trial:
     @property
     def chain_name(self):
         """What `chain_of` takes for the chain that the ensemble is held against."""
-        return self.lattice, self.schedule, PATHS[self.path].set_in_walls
+        return self.lattice, self.schedule
 
     @property
     def chain(self):
@@ -94,9 +93,9 @@ def trials(everything):
 
 
 @cache
-def chain_of(lattice, schedule, set_in_walls):
+def chain_of(lattice, schedule):
     """Return the chain of a named lattice and schedule."""
-    return explore(LATTICES[lattice], SCHEDULES[schedule], set_in_walls)
+    return explore(LATTICES[lattice], SCHEDULES[schedule])
 
 
 def most_uncertain(chain, probabilities):

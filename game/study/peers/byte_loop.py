@@ -14,8 +14,8 @@ def _advance(cells, offsets, start, iterations, threshold_left, threshold_right)
     random = np.uint64(start) + np.uint64(88172645463325252)
     for t in range(start, start + iterations):
         left, top = offsets[t % len(offsets)]
-        for y in range(top, height, 2):
-            for x in range(left, width, 2):
+        for y in range(1 - top, height, 2):
+            for x in range(1 - left, width, 2):
                 a, b = cells[y, x], cells[y, x + 1]
                 if a != SAND and b != SAND:
                     continue

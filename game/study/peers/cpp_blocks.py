@@ -32,7 +32,7 @@ def compiled():
 
     def advance(cells, rule, start, iterations):
         offsets = np.array(rule.offsets, np.int64)
-        height, width = (side - 1 for side in cells.shape)
+        height, width = cells.shape
         thresholds = (round(p * 2**32) for p in (rule.topple_left, rule.topple_right))
         library.advance(cells, height, width, offsets, len(offsets), start, iterations, *thresholds)
 

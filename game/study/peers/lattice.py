@@ -1,4 +1,4 @@
-"""The lattice of the peers: a byte for each cell, with a row and a column of wall past the lower right edges.
+"""The lattice of the peers: a byte for each cell, with a border of wall.
 
 The padding completes the blocks that the edge cuts, whatever the offset of the partition.
 """
@@ -9,10 +9,10 @@ EMPTY, SAND, WALL = range(3)
 
 
 def lattice(world):
-    """Return the cells of `world`, an (H + 1, W + 1) uint8 array."""
+    """Return the cells of `world`, an (H + 2, W + 2) uint8 array."""
     height, width = world.shape
-    cells = np.full((height + 1, width + 1), WALL, np.uint8)
-    inside = cells[:height, :width]
+    cells = np.full((height + 2, width + 2), WALL, np.uint8)
+    inside = cells[1:-1, 1:-1]
     inside[...] = world.sand
     inside[world.walls] = WALL
     return cells
@@ -20,4 +20,4 @@ def lattice(world):
 
 def sand(cells):
     """Return where sand is: an (H, W) bool array."""
-    return cells[:-1, :-1] == SAND
+    return cells[1:-1, 1:-1] == SAND

@@ -18,13 +18,16 @@ def advance(cells, rule, start, iterations, uniform):
     """
     height, width = cells.shape[0] - 1, cells.shape[1] - 1
     for iteration in range(start, start + iterations):
-        left, top = rule.offsets[iteration % len(rule.offsets)]
+        x, y = rule.offsets[iteration % len(rule.offsets)]
+        left, top = 1 - x, 1 - y
         wide = -(-(width - left) // 2)
         for y in range(top, height, BAND):
             high = -(-(min(height, y + BAND) - y) // 2)
             band = cells[y : y + 2 * high, left : left + 2 * wide]
             corners = [band[dy::2, dx::2] for dy in (0, 1) for dx in (0, 1)]
-            _move(corners, rule, lambda rows, columns, t=iteration, y=y: uniform(t, y // 2 + rows, columns))
+            _move(
+                corners, rule, lambda rows, columns, t=iteration, y=y, x=x: uniform(t, (y - 1) // 2 + rows, columns - x)
+            )
 
 
 def _move(corners, rule, uniform):
@@ -83,6 +86,7 @@ def product_chance(seed, width):
 
     def uniform(iteration, rows, columns):
         lane, word = np.divmod(columns, words)
+        lane[columns == -1], word[columns == -1] = 0, -1
         place = (rows * (words + 1) + word).astype(np.uint64)
         with np.errstate(over="ignore"):
             key = _mix(_mix(np.uint64(seed) + golden) + np.uint64(iteration) * golden)

@@ -57,8 +57,8 @@ def _iterate(cells, x0, y0, limit, source, stream, iteration):
     """Run one iteration of the partition at (x0, y0) on (H + 2, W + 2) bytes with a border of walls, in place."""
     key = iteration_key(stream, iteration)
     height, width = cells.shape
-    for y in range(1 + y0, height - 1, 2):
-        for x in range(1 + x0, width - 1, 2):
+    for y in range(1 - y0, height - 1, 2):
+        for x in range(1 - x0, width - 1, 2):
             falls = False
             for column in (x, x + 1):
                 if cells[y, column] == _SAND and cells[y + 1, column] == _EMPTY:

@@ -16,7 +16,7 @@ class Place:
     """Where a block's random numbers come from."""
 
     def __init__(self, seed, iteration, row, column, width):
-        words = -(-(-(-width // 2)) // 64)
+        words = (width + 127) // 128
         self.lane, word = (0, -1) if column == -1 else divmod(column, words)
         key = mix((mix((seed + GOLDEN) & MASK) + iteration * GOLDEN) & MASK)
         self.start = key + (row * (words + 1) + word) * 32 * GOLDEN

@@ -5,10 +5,11 @@ import numpy as np
 from game.core.rule_table import CERTAIN, Claim, Outcome, RuleTable, corners, state_of
 
 MIRROR = (1, 0, 3, 2)
+NEXT = -1
 
 
 def random_table(generator, bits, layers=3, events=5):
-    """Return a RuleTable with the codes of so many bits, nearly all in use; the last one is outside and never changes."""
+    """Return a RuleTable with the codes of so many bits, nearly all in use; the last one is outside, and stays."""
     codes = 2**bits - int(generator.integers(0, 2))
     slots = tuple(f"chance {number}" for number in range(6))
     made, number = [], 0
@@ -24,7 +25,11 @@ def _layer(generator, bits, codes, slots, numbers):
     for number in numbers:
         classes = [generator.random(codes) < generator.choice([0.2, 0.5, 1.0]) for _ in range(4)]
         sinks = tuple(generator.choice(4, 2, replace=False)) if generator.random() < 0.5 else None
-        outcomes = [_outcome(generator, codes, slots) for _ in range(generator.integers(1, 4))]
+        outcomes = [_outcome(generator, codes, slots, bits) for _ in range(generator.integers(1, 4))]
+        for _, change in outcomes:
+            for corner, source in enumerate(change):
+                if source != corner:  # what is outside does not change
+                    classes[corner][codes - 1] = False
         here = [(number, classes, sinks, outcomes), (number, *_mirrored(classes, sinks, outcomes))]
         first = len(pictures)
         pictures += here
@@ -54,24 +59,22 @@ def _claims(claimed, at, picture, alone, bits, codes):
 def _matching(classes, sinks, bits, codes):
     states = np.arange(2 ** (4 * bits))
     cells = corners(states, bits)
-    here = np.all([(cell < codes) & np.pad(of, (0, 2**bits - codes))[cell] for cell, of in zip(cells, classes)], axis=0)
-    if sinks:
-        here &= cells[sinks[0]] > cells[sinks[1]]
-    return here & ~np.all([cell == codes - 1 for cell in cells], axis=0)
+    unused = np.zeros(2**bits - codes, bool)
+    here = np.all([np.append(of, unused)[cell] for cell, of in zip(cells, classes, strict=True)], axis=0)
 
 
-def _outcome(generator, codes, slots):
-    """Return (slot, change at each corner): where its content comes from, or 4 + a code."""
+def _outcome(generator, codes, slots, bits):
+    """Return (slot, change at each corner): where its content comes from, 4 + a code, or NEXT for another code."""
     slot = CERTAIN if generator.random() < 0.2 else int(generator.integers(slots))
     change = list(generator.permutation(4)) if generator.random() < 0.6 else [0, 1, 2, 3]
     if generator.random() < 0.5:
-        change[generator.integers(4)] = 4 + int(generator.integers(codes - 1))
+        change[generator.integers(4)] = NEXT if bits == 2 else 4 + int(generator.integers(codes - 1))
     return slot, tuple(int(each) for each in change)
 
 
 def _mirrored(classes, sinks, outcomes):
     def place(source):
-        return MIRROR[source] if source < 4 else source
+        return MIRROR[source] if 0 <= source < 4 else source
 
     turned = [(slot, tuple(place(change[MIRROR[corner]]) for corner in range(4))) for slot, change in outcomes]
     sinks = tuple(MIRROR[corner] for corner in sinks) if sinks else None
@@ -79,8 +82,9 @@ def _mirrored(classes, sinks, outcomes):
 
 
 def _after(states, change, bits, codes):
-    """Return the blocks after a change, which leaves alone what is outside: there the block stays as it is."""
     before = corners(states.astype(np.int64), bits)
-    new = [before[source] if source < 4 else np.full(len(states), source - 4) for source in change]
-    kept = np.any([(old == codes - 1) != (code == codes - 1) for old, code in zip(before, new, strict=True)], axis=0)
-    return np.where(kept, states, state_of(new, bits)).astype(np.uint16)
+    new = []
+    for corner, source in enumerate(change):
+        code = np.full(len(states), source - 4)
+        new.append((before[corner] + 1) % (codes - 1) if source == NEXT else before[source] if source < 4 else code)
+    return state_of(new, bits).astype(np.uint16)

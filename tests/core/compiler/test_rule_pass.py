@@ -33,7 +33,8 @@ class Lattice:
 
     @property
     def codes(self):
-        return sum(bit_planes.unpack(self.planes, self.where, 4 * bit).astype(int) << bit for bit in range(self.table.bits))
+        bits = (bit_planes.unpack(self.planes, self.where, 4 * bit) for bit in range(self.table.bits))
+        return sum(cells.astype(int) << bit for bit, cells in enumerate(bits))
 
     def advance(self, moving, schedule, seed, iteration, iterations):
         offsets = np.roll(np.array(SCHEDULES[schedule]), -iteration, axis=0)
