@@ -61,6 +61,9 @@ def _matching(classes, sinks, bits, codes):
     cells = corners(states, bits)
     unused = np.zeros(2**bits - codes, bool)
     here = np.all([np.append(of, unused)[cell] for cell, of in zip(cells, classes, strict=True)], axis=0)
+    if sinks:
+        here &= cells[sinks[0]] > cells[sinks[1]]
+    return here & ~np.all([cell == codes - 1 for cell in cells], axis=0)
 
 
 def _outcome(generator, codes, slots, bits):

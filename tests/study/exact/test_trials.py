@@ -32,7 +32,7 @@ def test_certain_copies_in_stacks_are_the_lattice_by_itself(name, schedule):
 
 @pytest.mark.parametrize("name", LATTICES)
 @pytest.mark.parametrize("schedule", SCHEDULES)
-def test_certain_copies_side_by_side_are_the_lattice_set_in_walls(name, schedule):
+def test_certain_copies_side_by_side_are_the_lattice_by_itself(name, schedule):
     sand, walls = (
         np.pad(cells, 2, constant_values=solid)
         for cells, solid in zip(sand_and_walls(LATTICES[name]), (False, True), strict=True)
@@ -63,7 +63,7 @@ def test_p_one_percent_off_does_not_agree(path):
 
 
 def test_a_run_out_of_the_chains_reach_is_seen():
-    chain = chain_of("tower", "paper", False)
+    chain = chain_of("tower", "paper")
     chances = np.zeros(len(chain.states))
     chances[0] = 1.0
     found = compare(np.array([*[chain.states[0]] * 30, 1, 2], np.uint64), chain, chances, 42)
@@ -71,7 +71,7 @@ def test_a_run_out_of_the_chains_reach_is_seen():
 
 
 def test_chi_square_of_right_chances_is_uniform_and_counts_rare_states_together():
-    chain = chain_of("twin towers", "paper", False)
+    chain = chain_of("twin towers", "paper")
     _, chances = most_uncertain(chain, PROBABILITIES["p = 0.5"])
     generator = np.random.default_rng(7)
     found = [compare(generator.choice(chain.states, 2000, p=chances), chain, chances, 30) for _ in range(200)]
