@@ -21,6 +21,7 @@ class Pass(NamedTuple):
     chances: np.ndarray  # see `vector_ir`
     outside: np.ndarray  # uint64: for each bit of a cell, payload last, a word of what is outside
     changing: np.ndarray  # bool: whether a bit of a cell can change
+    outside_code: int
     edges: tuple  # two bools: whether blocks whose upper, and whose lower corners are outside have events
     lanes: int  # words it takes at a time
 
@@ -45,7 +46,7 @@ def pass_of(table, probabilities, payload=0, most_lanes=None):
     turned = {bit for layer in made.plan.layers for level in layer.deltas for _, bit in level}
     changing = np.array([bit in turned or bit >= table.bits for bit in range(total)])
     edges = _events_beside(table, (0, 1)), _events_beside(table, (2, 3))
-    return Pass(made.code, chances, outside, changing, edges, made.lanes)
+    return Pass(made.code, chances, outside, changing, table.outside, edges, made.lanes)
 
 
 class _Compiled(NamedTuple):

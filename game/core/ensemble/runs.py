@@ -1,8 +1,9 @@
 """Ensembles: many independent replicas of one lattice, a bit each, moved a group at a time.
 
-Bit i of word w of a bit of a cell's code is replica 64·w + i of the group. A block's corners are then plain words,
-whatever the partition, and one run of a rule's pass moves the block in the whole group. Most blocks need no visit: one
-in which no replica can move falls asleep until a block that shares a cell with it moves.
+Bit i of word w of a bit of a cell's code is replica 64·w + i of the group; bits that never change, as those of walls,
+are held once for all. A block's corners are then plain words, whatever the partition, and one run of a rule's pass
+moves the block in the whole group. Most blocks need no visit: one in which no replica can move falls asleep until a
+block that shares a cell with it moves.
 
 Arrays have a border of one cell, which is outside, so cell (row, column) is at [row + 1, column + 1].
 """
@@ -25,28 +26,34 @@ _ENSEMBLE = np.uint64(0x656E73656D626C65)  # keeps replicas apart from a world o
 
 
 class Replicas(NamedTuple):
-    """A group of replicas at one moment. Words beyond those of `seeds` fill up the last vector of a pass."""
+    """A group of replicas at one moment. Words beyond those of the runs fill up the last vector of a pass."""
 
-    cells: np.ndarray  # (H + 2, W + 2, bits, words) uint64: the code of each cell, bit by bit
+    flat: np.ndarray  # (n,) uint64: the cells, then `words` words of zeros and as many of ones
+    cells: np.ndarray  # (H + 2, W + 2, changing bits, words) uint64, a view of it: the cells' codes, bit by bit
+    codes: np.ndarray  # (H + 2, W + 2) uint8: the codes at the start, good for bits that never change
+    changing: np.ndarray  # (bits,) bool: which bits of a code change
     full: np.ndarray  # (words,) uint64: the bits that are replicas
     awake: np.ndarray  # (H + 2, W + 2) uint8: whether the block with this upper left corner needs a visit
     seeds: np.ndarray  # (words,) uint64: each word's own seed
 
 
-def replicate(codes, bits, outside, seed, first, runs, lanes=1):
+def replicate(codes, moving, seed, first, runs):
     """Return `runs` replicas of cells, (H, W) uint8 codes, the first of them number `first`, a multiple of 64.
 
-    outside: the code of what is outside. lanes: the words of a group are a multiple of it. Bits past the last replica
-    take no part.
+    moving: the Pass that is to move them. Bits past the last replica take no part.
     """
     height, width = codes.shape
-    full = full_words(runs, lanes)
-    cells = np.zeros((height + 2, width + 2, bits, len(full)), np.uint64)
-    bordered = np.full((height + 2, width + 2), outside, np.uint8)
+    full = full_words(runs, moving.lanes)
+    shape = height + 2, width + 2, int(moving.changing.sum()), len(full)
+    size = int(np.prod(shape))
+    flat = np.zeros(size + 2 * len(full), np.uint64)
+    flat[size + len(full) :] = _FULL
+    bordered = np.full(shape[:2], moving.outside_code, np.uint8)
     bordered[1:-1, 1:-1] = codes
-    fill(cells, bordered, full)
+    cells = flat[:size].reshape(shape)
+    fill(cells, bordered, np.flatnonzero(moving.changing), full)
     seeds = word_seeds(np.uint64(seed), first // BITS, len(full))
-    return Replicas(cells, full, np.ones(bordered.shape, np.uint8), seeds)
+    return Replicas(flat, cells, bordered, moving.changing, full, np.ones(bordered.shape, np.uint8), seeds)
 
 
 def full_words(runs, lanes=1):
@@ -59,15 +66,15 @@ def full_words(runs, lanes=1):
 
 
 @kernel
-def fill(cells, codes, full):
-    """Put a code, (H + 2, W + 2) uint8, in every cell of the replicas that `full` says, in place."""
+def fill(cells, codes, bits, full):
+    """Put the bits numbered `bits` of codes, (H + 2, W + 2) uint8, in the cells of the replicas of `full`, in place."""
     height, width = codes.shape
     for y in range(height):
         for x in range(width):
-            for bit in range(cells.shape[2]):
-                if codes[y, x] >> bit & 1:
+            for at in range(len(bits)):
+                if codes[y, x] >> bits[at] & 1:
                     for word in range(len(full)):
-                        cells[y, x, bit, word] = full[word]
+                        cells[y, x, at, word] = full[word]
 
 
 @kernel
@@ -80,19 +87,25 @@ def word_seeds(seed, first, words):
 
 
 @gate
-def _visit(run, flat, cells_across, y, x, size, full, origin, at):
+def _visit(run, replicas, y, x, origin, at):
     """Run a pass on the block with its upper left corner at [y, x] of a group, in place; return what it does.
 
-    size: (bits, words). origin: (words,) uint64, the keys of the iteration. at: room for the places of the corners.
+    origin: (words,) uint64, the keys of the iteration. at: room for the places of the corners.
     """
     address, chances = run
-    bits, words = size
-    cell = y * cells_across + x
+    flat, cells, codes, changing, full = replicas
+    across, depth, words, bits = cells.shape[1], cells.shape[2], cells.shape[3], len(changing)
     for corner in range(4):
-        start = (cell + (corner >> 1) * cells_across + (corner & 1)) * bits * words
+        row, column = y + (corner >> 1), x + (corner & 1)
+        place = (row * across + column) * depth * words
         for bit in range(bits):
-            at[corner * bits + bit] = start + bit * words
-    return call_pass(address, flat, at, full, origin, np.uint64(cell) * _STEP, chances, words)
+            if changing[bit]:
+                at[corner * bits + bit] = place
+                place += words
+            else:
+                at[corner * bits + bit] = cells.size + np.int64(codes[row, column] >> bit & 1) * words
+    key = np.uint64(y * across + x) * _STEP
+    return call_pass(address, flat, at, full, origin, key, chances, words)
 
 
 @kernel
@@ -103,10 +116,10 @@ def advance_replicas(replicas, run, offsets, iteration, iterations, done, row, b
     the end. run: (address of a pass, its chances). offsets: (x, y) of the iterations from number `iteration`, a uint64,
     repeated.
     """
-    cells, full, awake, seeds = replicas
+    awake, seeds = replicas.awake, replicas.seeds
+    group = replicas.flat, replicas.cells, replicas.codes, replicas.changing, replicas.full
     height, width = awake.shape[0] - 2, awake.shape[1] - 2
-    size, flat = cells.shape[2:], cells.reshape(-1)
-    at, keys = np.empty(4 * size[0], np.int64), np.empty(len(seeds), np.uint64)
+    at, keys = np.empty(4 * len(replicas.changing), np.int64), np.empty(len(seeds), np.uint64)
     spent, cost = 0, 1 + len(seeds) // 16
     while done < iterations:
         x0, y0 = offsets[done % len(offsets)]
@@ -118,7 +131,7 @@ def advance_replicas(replicas, run, offsets, iteration, iterations, done, row, b
             spent += 1 + width // BITS
             for x in range(1 - x0, width + 1, 2):
                 if awake[y, x]:
-                    told = _visit(run, flat, width + 2, y, x, size, full, keys, at)
+                    told = _visit(run, group, y, x, keys, at)
                     spent += cost
                     if told & 2:
                         awake[max(0, y - 1) : y + 2, max(0, x - 1) : x + 2] = 1
@@ -129,11 +142,16 @@ def advance_replicas(replicas, run, offsets, iteration, iterations, done, row, b
 
 
 @gate
-def holding(cells, y, x, word, code, full):
-    """Return in which replicas of a word a cell has a code; cells: as in `Replicas`, y and x with the border."""
-    found = full[word]
-    for bit in range(cells.shape[2]):
-        found &= cells[y, x, bit, word] if code >> bit & 1 else ~cells[y, x, bit, word]
+def holding(replicas, y, x, word, code):
+    """Return in which replicas of a word a cell has a code; y and x are with the border."""
+    found, at = replicas.full[word], 0
+    for bit in range(len(replicas.changing)):
+        if replicas.changing[bit]:
+            held = replicas.cells[y, x, at, word]
+            at += 1
+        else:
+            held = _ZERO - np.uint64(replicas.codes[y, x] >> bit & 1)
+        found &= held if code >> bit & 1 else ~held
     return found
 
 
@@ -149,25 +167,23 @@ def ones(word):
 @kernel
 def count_replicas(replicas, code, weight, counts):
     """Add `weight` times the number of replicas with a code to `counts`, an (H, W) int64 array, cell by cell."""
-    cells, full, _, _ = replicas
     height, width = counts.shape
     for y in range(height):
         for x in range(width):
             found = _ZERO
-            for word in range(len(full)):
-                found += ones(holding(cells, y + 1, x + 1, word, code, full))
+            for word in range(len(replicas.full)):
+                found += ones(holding(replicas, y + 1, x + 1, word, code))
             counts[y, x] += weight * np.int64(found)
 
 
 @kernel
 def read_states(replicas, code, states):
     """Write where each replica has a code to `states`, (runs,) uint64: bit y·W + x is cell (y, x), of 64 at most."""
-    cells, full, _, _ = replicas
-    height, width = cells.shape[0] - 2, cells.shape[1] - 2
+    height, width = replicas.codes.shape[0] - 2, replicas.codes.shape[1] - 2
     for run in range(len(states)):
         word, bit = run // BITS, np.uint64(run % BITS)
         state = _ZERO
         for y in range(height):
             for x in range(width):
-                state |= ((holding(cells, y + 1, x + 1, word, code, full) >> bit) & _ONE) << np.uint64(y * width + x)
+                state |= ((holding(replicas, y + 1, x + 1, word, code) >> bit) & _ONE) << np.uint64(y * width + x)
         states[run] = state

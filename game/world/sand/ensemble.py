@@ -141,8 +141,7 @@ def _groups(ensemble, few):
 def _group(ensemble, first, runs):
     """Return the Replicas of so many runs from number `first` on."""
     codes = ensemble.sand * np.uint8(SAND) + ensemble.walls * np.uint8(WALL)
-    lanes = _pass_for(ensemble.rule, -(-runs // BITS)).lanes
-    return replicate(codes, SAND_TABLE.bits, SAND_TABLE.outside, ensemble.seed, first, runs, lanes)
+    return replicate(codes, _pass_for(ensemble.rule, -(-runs // BITS)), ensemble.seed, first, runs)
 
 
 def _follow(ensemble, moments, progress=None, cancelled=None, few=MOST_WORDS):

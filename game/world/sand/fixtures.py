@@ -9,6 +9,7 @@ from game.core.paint.primitives import RECTANGLE, figure
 from game.world.sand import parameters
 from game.world.sand.grain_account import NO_GRAINS, added, split
 from game.world.sand.sand_colours import AMBER, DYES
+from game.world.sand.sand_table import WALL
 
 TAP, DRAIN = "tap", "drain"
 FIRST_CELL = parameters.Knob(
@@ -108,8 +109,8 @@ def act_on_replicas(fixtures, iteration, group):
         left, top, right, bottom = max(left, 0) + 1, max(top, 0) + 1, min(right, width) + 1, min(bottom, height) + 1
         if iteration % each.every or left >= right or top >= bottom:
             continue
-        sand, walls = (group.cells[top:bottom, left:right, bit] for bit in range(2))
-        sand[...] = group.full & ~walls if each.kind == TAP else 0
+        free = group.codes[top:bottom, left:right, None] != WALL
+        group.cells[top:bottom, left:right, 0] = group.full * free if each.kind == TAP else 0
         group.awake[top - 1 : bottom, left - 1 : right] = 1
 
 
