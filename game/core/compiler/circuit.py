@@ -28,10 +28,12 @@ class Circuit:
         self.inputs = inputs
         self.care = packed(care)
         states = np.arange(2**inputs, dtype=np.uint32)
-        self.gates = [None] * (1 + inputs)
-        self._tables = [np.zeros_like(self.care)]
-        self._tables += [packed((states >> np.uint32(each)) & 1 == 1) & self.care for each in range(inputs)]
-        self._literals = {table.tobytes(): 2 * node for node, table in enumerate(self._tables)}
+        first = int(np.argmax(care))
+        self._place, self._bit = first // 64, np.uint64(first % 64)
+        self.gates, self._tables, self._keys, self._literals = [], [], [], {}
+        self._add(None, np.zeros_like(self.care))
+        for each in range(inputs):
+            self._add(None, packed((states >> np.uint32(each)) & 1 == 1) & self.care)
         self._made = {}  # literal of each Gate asked for
 
     def input(self, number):
@@ -123,24 +125,30 @@ class Circuit:
 
     def _shared(self, gate, table):
         """Return the literal of a table: that of a gate there is, be it inverted, or of a new one."""
-        found = self._literals.get(table.tobytes())
-        if found is None:
-            found = self._literals.get((~table & self.care).tobytes())
-            found = None if found is None else found ^ 1
-        if found is None:
-            found = 2 * len(self.gates)
-            self.gates.append(gate)
-            self._tables.append(table)
-            self._literals[table.tobytes()] = found
-        return found
+        key, inverted = self._key(table)
+        if key not in self._literals:
+            self._add(gate, table)
+        return self._literals[key] ^ inverted
+
+    def _add(self, gate, table):
+        key, inverted = self._key(table)
+        self._literals.setdefault(key, 2 * len(self.gates) ^ inverted)
+        self.gates.append(gate)
+        self._tables.append(table)
+        self._keys.append(key)
+
+    def _key(self, table):
+        """Return what a table and its inverse have in common, and whether this one is the inverse."""
+        inverted = int(table[self._place] >> self._bit & 1)
+        return (~table & self.care if inverted else table).tobytes(), inverted
 
     def _forget(self, gates, made):
         """Undo what came after so many gates and so many answers."""
-        for table in self._tables[gates:]:
-            del self._literals[table.tobytes()]
+        for key in self._keys[gates:]:
+            del self._literals[key]
         while len(self._made) > made:
             self._made.popitem()
-        del self.gates[gates:], self._tables[gates:]
+        del self.gates[gates:], self._tables[gates:], self._keys[gates:]
 
 
 def packed(flags):

@@ -71,36 +71,41 @@ class Covers:
             orders.append([(corner, number) for number in numbers for corner in corners])
             if len(corners) > 1:
                 orders.append([(corner, number) for corner in corners for number in numbers])
-        places = {
-            (corner, number): at * self.bits + number
-            for at, corner in enumerate(corners)
-            for number in range(self.bits)
-        }
-        inputs = len(places)
+        places = [(corner, number) for corner in corners for number in range(self.bits)]
         builders = []
         for order in orders:
-            axes = [inputs - 1 - places[each] for each in order]
-            sets = [flags.reshape((2,) * inputs).transpose(axes).ravel() for flags in (wanted, unwanted)]
+            axes = [len(places) - 1 - places.index(each) for each in order]
+            sets = [_number(flags.reshape((2,) * len(places)).transpose(axes)) for flags in (wanted, unwanted)]
             literals = [self.bit(*each) for each in order]
             builders.append(lambda sets=sets, literals=literals: self._decide(*sets, literals, {}))
         return self.circuit.cheapest(builders)
 
     def _decide(self, wanted, unwanted, literals, known):
-        """Return the literal of a set of states, numbered with the first of `literals` as their highest bit."""
-        if not wanted.any():
+        """Return the literal of a set of states, numbered with the first of `literals` as their highest bit.
+
+        Sets of states are ints here, whose bit i is state i.
+        """
+        if not wanted:
             return FALSE
-        if not unwanted.any():
+        if not unwanted:
             return TRUE
-        key = wanted.tobytes(), unwanted.tobytes(), len(literals)
+        key = wanted, unwanted, len(literals)
         if key not in known:
-            half, rest = len(wanted) // 2, literals[1:]
-            low, high = (wanted[:half], unwanted[:half]), (wanted[half:], unwanted[half:])
-            if not ((low[0] | high[0]) & (low[1] | high[1])).any():
-                known[key] = self._decide(low[0] | high[0], low[1] | high[1], rest, known)
+            half, rest = 2 ** (len(literals) - 1), literals[1:]
+            low = [each & ((1 << half) - 1) for each in (wanted, unwanted)]
+            high = [each >> half for each in (wanted, unwanted)]
+            either = [one | other for one, other in zip(low, high, strict=True)]
+            if not either[0] & either[1]:
+                known[key] = self._decide(*either, rest, known)
             else:
                 high, low = self._decide(*high, rest, known), self._decide(*low, rest, known)
                 known[key] = self.circuit.choice(literals[0], high, low)
         return known[key]
+
+
+def _number(flags):
+    """Return bool flags as the bits of an int, the first flag lowest."""
+    return int.from_bytes(np.packbits(flags.ravel(), bitorder="little").tobytes(), "little")
 
 
 def _shadow(states, corners):

@@ -80,20 +80,31 @@ def _expected(table, kinds, bound, states, belongings, origin, may):
         uniform = _uniform(origin, number)
         open_to_all = free.copy()
         for claim in claims:
-            here = open_to_all & np.isin(states, claim.states)
-            stirred |= here.any()
-            here &= claim.face is None or face == claim.face
+            blocks = _blocks_with(states, claim.states)
+            blocks = blocks[open_to_all[blocks]]
+            stirred |= len(blocks) > 0
+            blocks = blocks if claim.face is None else blocks[face[blocks] == claim.face]
             low = 0
             for slots, outcome in zip(thresholds_of(claim), claim.outcomes, strict=True):
                 high = {ALWAYS: 2**32, CHANCE: bound(number, slots)}.get(kinds[slots], 0)
-                chosen = np.flatnonzero(here & (uniform >= low) & (uniform < high))
+                chosen = blocks[(uniform[blocks] >= low) & (uniform[blocks] < high)]
                 after[chosen] = outcome.after[np.searchsorted(claim.states, states[chosen])]
-                sources = effect_of(claim.states, outcome.after, table.bits).sources
-                kept[:, chosen] = belongings[sources, :][:, chosen]
                 free[chosen] = False
+                if belongings.any():
+                    sources = effect_of(claim.states, outcome.after, table.bits).sources
+                    kept[:, chosen] = belongings[sources, :][:, chosen]
                 low = max(low, high)
     meant = np.array(corners(after, table.bits)) != EMPTY
     return after, kept, meant, int(stirred) + 2 * bool((may & ~free).any())
+
+
+def _blocks_with(states, some):
+    """Return which of the blocks have one of some states; the states of all blocks rise again and again."""
+    falls = np.flatnonzero(states[1:] < states[:-1])
+    period = falls[0] + 1 if len(falls) else len(states)
+    first = np.searchsorted(states[:period], some)
+    blocks = (first + np.arange(0, len(states), period)[:, None]).ravel()
+    return blocks[blocks < len(states)]
 
 
 def _uniform(origin, layer):
