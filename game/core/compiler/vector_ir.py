@@ -253,46 +253,48 @@ class _Pass:
 
     def _draw(self, number, layer, sure, undecided, blocks, own):
         """Write the loop that draws for the undecided blocks."""
-        before, levels = self.block, range(len(sure))
-        origin = self._origin(number * LAYER_STEP)
+        before, loop, done = self.block, f"draw{number}", f"drawn{number}"
+        starts = {"place": self._origin(number * LAYER_STEP)}
+        for level, (yes, rest) in enumerate(zip(sure, undecided, strict=True)):
+            starts |= {f"yes{level}": yes, f"rest{level}": rest}
         draws = self.load_word("%chances", number)
-        masks = len(self.plan.layers) + DRAWS * sum(len(each.groups) for each in self.plan.layers[:number])
-        first = self.new(f"getelementptr i64, ptr %chances, i64 {masks}")
-        self.line(f"br i1 {self.any_bit(self.any_of(undecided))}, label %draw{number}, label %drawn{number}")
-        loop, name = f"draw{number}", f"{number}_"
+        first = len(self.plan.layers) + DRAWS * sum(len(each.groups) for each in self.plan.layers[:number])
+        masks = self.new(f"getelementptr i64, ptr %chances, i64 {first}")
+        self.line(f"br i1 {self.any_bit(self.any_of(undecided))}, label %{loop}, label %{done}")
         self.start(loop)
         self.line(f"%n{number} = phi i64 [0, %{before}], [%n{number}_next, %{loop}]")
-        place = self.meeting(f"%place{number}", [(origin, before), (f"%place{number}_next", loop)])
-        accepted = [
-            self.meeting(f"%yes{name}{at}", [(sure[at], before), (f"%yes{name}{at}_next", loop)]) for at in levels
-        ]
-        rest = [
-            self.meeting(f"%rest{name}{at}", [(undecided[at], before), (f"%rest{name}{at}_next", loop)])
-            for at in levels
-        ]
-        row = self.new(f"mul i64 %n{number}, {len(blocks)}")
-        row = self.new(f"getelementptr i64, ptr {first}, i64 {row}")
-        for turn in range(UNROLL):
-            random = self._random(self.op("add", place, self.constant(turn * _GOLDEN)) if turn else place)
-            for level in levels:
-                if own[level]:
-                    digit = self._digit(row, turn * len(blocks), own[level], blocks)
-                    won = self.op("and", rest[level], self.op("and", digit, self.inverse(random)))
-                    accepted[level] = self.op("or", accepted[level], won)
-                    differ = self.inverse(self.op("xor", random, digit))
-                    rest[level] = self.op("and", rest[level], differ)
-        for at in levels:
-            self.line(f"%yes{name}{at}_next = or {self.kind} {accepted[at]}, zeroinitializer")
-            self.line(f"%rest{name}{at}_next = or {self.kind} {rest[at]}, zeroinitializer")
-        self.line(f"%place{number}_next = add {self.kind} {place}, {self.constant(UNROLL * _GOLDEN)}")
+        ends = {name: f"%{name}_{number}_next" for name in starts}
+        values = {
+            name: self.meeting(f"%{name}_{number}", [(value, before), (ends[name], loop)])
+            for name, value in starts.items()
+        }
+        row = self.new(f"getelementptr i64, ptr {masks}, i64 {self.new(f'mul i64 %n{number}, {len(blocks)}')}")
+        for name, value in self._compared(values, row, blocks, own).items():
+            self.line(f"{ends[name]} = or {self.kind} {value}, zeroinitializer")
         self.line(f"%n{number}_next = add i64 %n{number}, {UNROLL}")
-        some = self.any_bit(self.any_of([f"%rest{name}{at}_next" for at in levels]))
+        some = self.any_bit(self.any_of([end for name, end in ends.items() if name.startswith("rest")]))
         more = self.new(f"icmp ult i64 %n{number}_next, {draws}")
-        self.line(f"br i1 {self.new(f'and i1 {some}, {more}')}, label %{loop}, label %drawn{number}")
-        self.start(f"drawn{number}")
+        self.line(f"br i1 {self.new(f'and i1 {some}, {more}')}, label %{loop}, label %{done}")
+        self.start(done)
         return [
-            self.meeting(f"%accepted{name}{at}", [(sure[at], before), (f"%yes{name}{at}_next", loop)]) for at in levels
+            self.meeting(f"%accepted{level}_{number}", [(yes, before), (ends[f"yes{level}"], loop)])
+            for level, yes in enumerate(sure)
         ]
+
+    def _compared(self, values, row, blocks, own):
+        """Write UNROLL draws and what they decide; return the values after them: place, yes and rest by level."""
+        values = dict(values)
+        for turn in range(UNROLL):
+            random = self._random(values["place"])
+            values["place"] = self.op("add", values["place"], self.constant(_GOLDEN))
+            for level, groups in enumerate(own):
+                if groups:
+                    rest, digit = values[f"rest{level}"], self._digit(row, turn * len(blocks), groups, blocks)
+                    won = self.op("and", rest, self.op("and", digit, self.inverse(random)))
+                    values[f"yes{level}"] = self.op("or", values[f"yes{level}"], won)
+                    differ = self.op("xor", random, digit)
+                    values[f"rest{level}"] = self.op("and", rest, self.inverse(differ))
+        return values
 
     def _digit(self, row, first, groups, blocks):
         """Write the binary digit of each block's threshold."""

@@ -88,3 +88,18 @@ def test_what_disagrees_with_its_table_is_tried_a_word_at_a_time_and_else_refuse
     monkeypatch.setattr(rule_pass.self_check, "agrees", lambda *told: False)
     with pytest.raises(RuntimeError, match="otherwise than its table says"):
         pass_of(SAND_TABLE, (0.5,) * 7, 6)
+
+
+@pytest.mark.parametrize("schedule", SCHEDULES)
+def test_skipping_and_skewing_change_no_bit_of_any_rule(schedule):
+    generator = np.random.default_rng(71)
+    table = random_table(generator, 3)
+    moving = pass_of(table, CHANCES[0])
+    codes = generator.integers(0, table.codes, (1300, 140)) * (generator.random((1300, 140)) < 0.05)
+    whole, creeping = Lattice(codes, table), Lattice(codes, table)
+    assert len(whole.bands.quiet) > 1 and moving.edges == (True, True)
+    whole.advance(moving, schedule, 5, 0, 60)
+    for iteration in range(60):
+        creeping.bands.quiet[:] = 0
+        creeping.advance(moving, schedule, 5, iteration, 1)
+    assert (whole.codes == creeping.codes).all() and (whole.codes != codes).any()
