@@ -9,9 +9,10 @@ from game.core.compiler.circuit import FALSE, TRUE, Circuit
 from game.core.compiler.cover import Covers
 from game.core.compiler.effects import Become, Copy, Flip, effect_of, flipped, moves_of
 from game.core.compiler.shared_ors import shared_ors
-from game.core.rule_table import CERTAIN
+from game.core.rule_table import CERTAIN, state_of
 
 NEVER, CHANCE, ALWAYS = range(3)  # what is known of a threshold without its value
+WATCHED = 100  # where events take more gates, it pays to look first for blocks of equal cells
 
 
 class Group(NamedTuple):
@@ -38,7 +39,8 @@ class Plan(NamedTuple):
     circuit: Circuit
     bits: int
     fair: int | None  # number of the input that is the fair bit
-    layers: tuple
+    layers: tuple  # of LayerPlan
+    watch: int | None  # literal, if it pays: false only where no layer has an event, as in a block of four equal cells
 
 
 class _Piece(NamedTuple):
@@ -59,7 +61,18 @@ def plan(table, kinds):
     covers = Covers(circuit, table.bits, table.codes)
     fair = 4 * table.bits if table.has_fair_bit else None
     layers = tuple(_layer(table, layer, kinds, covers, used, fair) for layer in table.layers)
-    return Plan(circuit, table.bits, fair, layers)
+    many = len(circuit.cone([layer.event for layer in layers])) > WATCHED
+    return Plan(circuit, table.bits, fair, layers, _watch(table, covers) if many else None)
+
+
+def _watch(table, covers):
+    """Return a literal that is true for all states with an event, and false for blocks of four equal cells without."""
+    wanted, unwanted = (np.zeros(table.states, bool) for _ in range(2))
+    unwanted[[state_of([code] * 4, table.bits) for code in range(table.codes)]] = True
+    for layer in table.layers:
+        for claim in layer:
+            wanted[claim.states] = True
+    return covers.cover(wanted, unwanted & ~wanted)
 
 
 def thresholds_of(claim):

@@ -180,12 +180,20 @@ class _Pass:
                 node = 1 + corner * self.plan.bits + number
                 self.values[node] = self.load(self._stream(corner, number), "%i"), False
         free = self.load("%may", "%i")
+        ways = []
+        if self.plan.watch is not None:
+            self.work_out([self.plan.watch])
+            lively = self.any_bit(self.op("and", self.literal(self.plan.watch), free))
+            self.line(f"br i1 {lively}, label %lively, label %again")
+            ways.append((stirred, moved, self.block))
+            self.start("lively")
         for number in range(len(self.plan.layers)):
             stirred, moved, free = self._layer(number, stirred, moved, free)
         self.line("br label %again")
+        ways.append((stirred, moved, self.block))
         self.start("again")
-        self.line(f"%stirred_then = or {self.kind} {stirred}, zeroinitializer")
-        self.line(f"%moved_then = or {self.kind} {moved}, zeroinitializer")
+        self.meeting("%stirred_then", [(value, label) for value, _, label in ways])
+        self.meeting("%moved_then", [(value, label) for _, value, label in ways])
         self.line(f"%next = add i64 %i, {self.lanes}")
         self.line("%more = icmp ult i64 %next, %size_")
         self.line("br i1 %more, label %top, label %end")
