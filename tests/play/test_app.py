@@ -255,6 +255,7 @@ def test_an_idle_frame_draws_nothing(glass):
 
 
 def test_what_is_drawn_is_the_world(glass):
+    glass.parts.settings["smooth_streams"] = False
     glass.session.paused = True
     glass.wait(2)
     surface, world = glass.parts.window.surface, glass.world

@@ -29,6 +29,7 @@ class Renderer:
         self._display = display
         self._bar = self._line = None  # the strokes as last drawn
         self._overlays = ()
+        self._plain = True  # falling sand was last drawn cell by cell
         self._lay_over = self._draw_overlays  # one object, which the view knows again
 
     def forget(self):
@@ -64,6 +65,9 @@ class Renderer:
         streams = None if self._display.stage.blocks else session.streams  # arrows point at the cells themselves
         if streams:
             streams.take_acts(session.world)
+        if (streams is None) != self._plain:
+            self._plain = streams is None
+            self._display.stage.refresh()
         overlay = self._lay_over if frame.overlays else None
         return self._display.stage.draw(session.world, self._marks(frame), overlay, frame.now_s, streams)
 

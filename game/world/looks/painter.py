@@ -65,6 +65,7 @@ class Painter:
         self._shades = shades_of(texture(), layout(*view.shape).words)
         self._samples, self._moving = NO_SAMPLES, ()  # as drawn last: see MotionSamples
         self._seen = 0  # the stamp of the world drawn last
+        self._drawn_at = None  # its iteration
         self._glass = walls == "glass" and view.shape[0] * view.shape[1] <= MOST_DECORATED
         self._decor = self._decorated = None  # what decorates the glass, and its walls
         self.look_through(view)
@@ -89,9 +90,11 @@ class Painter:
         """
         if self._glass:
             self._decorate(world)
-        spans = [*self._changed(world), *(self._clipped(*span) for span in damage)]
-        self._world, self._seen = world, world.activity.stamp
         smooth = streams is not None and streams.follows(world) and self._paints.channels is not None
+        if smooth != (len(self._samples) > 0):
+            self._drawn_at = None
+        spans = [*self._changed(world), *(self._clipped(*span) for span in damage)]
+        self._world, self._seen, self._drawn_at = world, world.activity.stamp, world.iteration
         self._samples, self._moving = (streams.samples, streams.moving > 0) if smooth else (NO_SAMPLES, ())
         drawn = _merged(spans)
         for top, bottom in drawn:
@@ -126,7 +129,7 @@ class Painter:
             return
         band_height = 2 * world.activity.band_rows
         changed = world.activity.changed > self._seen
-        if len(self._moving):
+        if len(self._moving) and world.iteration != self._drawn_at:
             changed |= self._moving  # they were drawn as means of what was still to change
         for band in np.nonzero(changed)[0]:
             # a band's blocks reach a row further down, and looks tell of the two rows above
