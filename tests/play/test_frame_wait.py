@@ -16,12 +16,8 @@ class Waits:
 
     def __init__(self, monkeypatch):
         self.for_events, self.for_frames = [], 0
-        monkeypatch.setattr(frame_wait.pygame.event, "wait", self._event)
+        monkeypatch.setattr(frame_wait, "wait_for_event", self.for_events.append)
         monkeypatch.setattr(frame_wait.pygame.time, "Clock", lambda: self)
-
-    def _event(self, ms):
-        self.for_events.append(ms)
-        return pygame.event.Event(pygame.NOEVENT)
 
     def tick(self, rate=0):
         self.for_frames += bool(rate)
@@ -75,9 +71,17 @@ def test_a_hidden_window_plays_few_frames(waits):
 
 def test_an_event_that_ends_a_wait_is_heard(monkeypatch):
     pygame.display.init()
-    key = pygame.event.Event(pygame.KEYDOWN, key=pygame.K_s)
-    monkeypatch.setattr(frame_wait.pygame.event, "wait", lambda ms: key)
-    assert FrameWait().events(at_rest=True, hidden=True)[0] is key
+    pygame.event.clear()
+    looks = []
+
+    def sleep(seconds):
+        looks.append(seconds)
+        if len(looks) == 3:
+            pygame.event.post(pygame.event.Event(pygame.KEYDOWN, key=pygame.K_s))
+
+    monkeypatch.setattr(frame_wait.time, "sleep", sleep)
+    assert [event.key for event in FrameWait().events(at_rest=True, hidden=True)] == [pygame.K_s]
+    assert looks == [frame_wait.LOOK_MS / 1e3] * 3
 
 
 def test_what_was_done_beside_the_frames_ends_a_wait(player):
