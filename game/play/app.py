@@ -18,6 +18,7 @@ class App:
         self.parts = Parts(window, scene, seed, settings or Settings(), self._switch)
         self._hears = None, True, window.fullscreen  # page, panel and screen of the last frame
         self._told_of_cache = False  # that kernels cannot be kept, or read
+        self._anew = False  # in this frame the whole window was laid out anew
         if p is not None:
             self.parts.sessions.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
 
@@ -34,7 +35,8 @@ class App:
         self._tell(now_s)
         self._fit()
         changed = self.parts.renderer.draw(self._frame(now_s))
-        self.parts.window.show(changed)
+        self.parts.window.show(None if self._anew else changed)
+        changed, self._anew = changed or self._anew, False
         for each in self.parts.watchers:
             each.update(now_s)
         self._note(time.perf_counter_ns() - start, own_ns() - worked, now_s)
@@ -79,8 +81,7 @@ class App:
         if not self._told_of_cache and cache_trouble():
             self._told_of_cache = True
             self.parts.notices.say(cache_trouble())
-        if self.parts.notices.pass_time(now_s):
-            self.parts.display.refresh()
+        self.parts.notices.pass_time(now_s)
 
     def _frame(self, now_s):
         """Return the Frame to be shown."""
@@ -94,9 +95,15 @@ class App:
             or self.parts.rewind.words
             or self.parts.fast_forward.words
         )
-        line = self.parts.status_line.drawing(
-            display.theme, display.layout.status_line, session, said, self.parts.timer.words
+        layout, badge = display.layout, self.parts.camera.badge
+        strips = {tuple(layout.bar): self.parts.time_bar.drawing(session)}
+        strips[tuple(layout.status_line)] = self.parts.status_line.drawing(
+            *(display.theme, layout.status_line, session, said, self.parts.timer.words),
+            *(self.parts.notices.line, badge if badge.shown else None),
         )
+        for name, card in (("legend", self.parts.forecasting.legend), ("figures", self.parts.stats_card)):
+            if name in layout.cards:
+                strips[tuple(layout.cards[name])] = card.drawing(display.theme, layout.cards[name])
         return Frame(
             now_s,
             display.page,
@@ -104,8 +111,7 @@ class App:
             self.parts.frame_step.passing(now_s),
             self._marks(display.stage.view),
             tuple(each for each in self.parts.overlays if each.shown),
-            self.parts.time_bar.drawing(session),
-            line,
+            strips,
             self.parts.plots,
             self.parts.panel.ui if display.panel_shown else None,
         )
@@ -131,6 +137,7 @@ class App:
         display, before, view = self.parts.display, self.parts.display.stage, self.parts.display.stage.view
         if not display.fit(self.parts.sessions.now):
             return
+        self._anew = True
         self.parts.camera.keep(view if display.stage is before else None)
         self.parts.time_bar.place(display.layout.bar, display.theme)
         self.parts.renderer.forget()

@@ -68,7 +68,7 @@ class Parts:
     def _make_holders(self, scene, seed, on_switch):
         """Make what the parts share."""
         self.display = Display(self.window, self.settings, lambda: self.plots.measured_row)
-        self.notices = Notices(lambda: self.stats_card.height)
+        self.notices = Notices(lambda: (self.sessions.now, self.sessions.now.scene))
         self.background = Background(lambda error: self.notices.say(error, trouble=True))
         self.journals = Journals(self.notices.say)
         self.sessions = Sessions(Session(scene, seed), self.journals, self.notices, on_switch)
@@ -131,10 +131,10 @@ class Parts:
         pacers = self.fast_forward, self.timer
         self.frame_step = FrameStep(sessions, display, self.settings, self.time_bar, self.rewind, pacers)
         self.renderer = Renderer(display)
-        badge, self.cards = self.camera.badge, (self.photo_import, self.dialog)  # the first card lies on top
-        self.overlays = [self.glow, self.forecasting, badge, self.stats_card, *self.cards[::-1], self.notices]
+        self.cards = self.photo_import, self.dialog  # the first lies on top
+        self.overlays = [self.glow, *self.cards[::-1]]
         hints = Hints(self.settings, sessions, display, notices)
-        self.watchers = [self.recorder, self.settings_saver, badge, self.stats_card, self.hiss, hints]
+        self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss, hints]
         self.watchers += [self.forecasting, self.plots, self.fast_forward, self.timer, self.glow]
 
     def _sections(self):
@@ -168,7 +168,7 @@ class Parts:
             self.timer.state == RUNNING or self.fast_forward.words,
             self.recorder.said or self.forecasting.thread.working,
             self.display.stage.turn or self.gallery.shown,
-            any(each.shown for each in (self.glow, self.camera.badge, self.notices)),
+            self.glow.shown or self.camera.badge.shown or self.notices.line,
         )
         return not any(goes_on)
 

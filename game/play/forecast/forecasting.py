@@ -31,18 +31,22 @@ class Forecasting:
         self._sessions, self._display = sessions, display
         self.legend = Legend(sessions, display, pointer)
         self.thread = ForecastThread()
-        self.shown = False
         self.ahead = parameters.AHEAD.default  # iterations
         self.answer = None  # the Forecast that is shown
         self.stale = False  # the answer has not been about the present subject for a while
         self._requested = None  # (Subject, iteration) of the last request
         self._current_s = 0.0  # when the answer was last about the present subject
 
+    @property
+    def shown(self):
+        """Whether it is wanted."""
+        return self._display.legend_shown
+
     def toggle(self):
         """Show the forecast, or no longer."""
         if self.shown:
             self.close()
-        self.shown = not self.shown
+        self._display.legend_shown = not self.shown
 
     def close(self):
         """Request nothing more and take the forecast away; return when the thread has ended."""
@@ -58,16 +62,7 @@ class Forecasting:
         if session.timeline.goal is None and (subject, session.world.iteration) != self._requested:
             self._request(subject, now_s)
         self._take(subject, now_s)
-        if self.legend.update(self.answer, self.stale, now_s):
-            self._display.refresh()
-
-    def handle_events(self, events, now_s, mouse_pos):
-        """Leave all events to others."""
-        return events
-
-    def draw(self, surface, theme, area):
-        """Draw the legend; return the rects that it covers."""
-        return self.legend.draw(surface, theme, area)
+        self.legend.update(self.answer, self.stale, now_s)
 
     def _subject(self):
         session, stage = self._sessions.now, self._display.stage

@@ -1,23 +1,19 @@
 """The legend: what the colours of a forecast mean, which iteration it is for, and how accurate it is."""
 
-import pygame
-
 from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.ui.card import draw_box
+from game.play.ui.card import box_strokes
 from game.world.background.forecast_thread import standard_error
 from game.world.looks.heatmap_colours import scale_over_air
 
-WIDTH = 226  # pixels at scale 1, with everything in it
-PAD = 10
-AWAY = 12  # from the corner of the sand
-BAR = 9
+AWAY, PAD = 4, 8  # pixels at scale 1 around the card and in it
+TITLE, BAR, GAP = 22, 9, 4  # heights in pixels at scale 1
 REFRESH_S = 0.2  # numbers that follow the sand are written anew so often, so that they can be read
 UNKNOWN = "Forecast", "Computing the first runs …"
 
 
 class Legend:
-    """A card in the upper left corner of the sand, where there is room for it."""
+    """A card beside the sand, or below it."""
 
     def __init__(self, sessions, display, pointer):
         """`pointer.place` is where the pointer is over the sand, in pixels, or None."""
@@ -27,38 +23,32 @@ class Legend:
         self._about = None, False  # the Forecast that the lines tell of, and whether it is stale
 
     def update(self, answer, stale, now_s):
-        """Write the lines anew for a Forecast or None, if it is time; return whether they have changed."""
+        """Write the lines anew for a Forecast or None, if it is time."""
         if (answer, stale) == self._about and self._written_s is not None and now_s - self._written_s < REFRESH_S:
-            return False
-        before, self.lines = self.lines, self._write(answer)
+            return
+        self.lines = self._write(answer)
         self._about, self._written_s = (answer, stale), now_s
-        return self.lines != before
 
-    def draw(self, surface, theme, area):
-        """Draw the card, where there is room for it; return the rects that it covers."""
-        px, line = theme.px, theme.line_height(look.SMALL)
-        sand, away, wide = self._display.stage.area, px(AWAY), px(WIDTH)
-        rect = pygame.Rect(min(sand.x + away, area.right - away - wide), sand.y + away, wide, 0)
-        title, *lines = self.lines if 2 * rect.width <= area.width else self.lines[:2]
-        rect.height = 2 * px(PAD) + px(24) + px(BAR) + line + px(4) + line * len(lines)
-        if rect.x < area.x + away or 2 * rect.height > area.height:
-            return []
-        covered = draw_box(surface, theme, rect.inflate(-2 * px(5), -2 * px(5)))
-        (_, stale), row = self._about, rect.inflate(-2 * px(PAD), -2 * px(PAD))
-        row.height = px(20)
-        draw_list.words(surface, theme, row, title, look.HEADING, look.HANDLE, 0)
+    def drawing(self, theme, rect):
+        """Return the strokes of the card in `rect`, with as many of the lines as there is room for."""
+        px, line, (_, stale) = theme.px, theme.line_height(look.SMALL), self._about
+        card = rect.inflate(-2 * px(AWAY), -2 * px(AWAY))
+        row = card.inflate(-2 * px(PAD), -2 * px(PAD))
+        title, *lines = self.lines
+        bottom, row.height = row.bottom, px(TITLE)
+        strokes = [*box_strokes(theme, card), (draw_list.words, tuple(row), title, look.HEADING, look.HANDLE, 0)]
         if stale:
-            draw_list.words(surface, theme, row, "stale", look.BODY, look.BRIGHT_ACCENT, 1)
-        row.y, row.height = row.y + px(24), px(BAR)
-        draw_scale(surface, theme, row, stale)
+            strokes.append((draw_list.words, tuple(row), "stale", look.BODY, look.BRIGHT_ACCENT, 1))
+        row.y, row.height = row.bottom, px(BAR)
+        strokes.append((draw_scale, tuple(row), stale))
         row.y, row.height = row.bottom, line
         for share, align in (("never", 0), ("50 %", 0.5), ("always", 1)):
-            draw_list.words(surface, theme, row, share, look.SMALL, look.FAINT, align)
-        row.y += line + px(4)
-        for text in lines:
-            draw_list.words(surface, theme, row, text, look.SMALL, look.DIM, 0)
+            strokes.append((draw_list.words, tuple(row), share, look.SMALL, look.FAINT, align))
+        row.y += line + px(GAP)
+        for text in lines[: max(0, (bottom - row.y) // line)]:
+            strokes.append((draw_list.words, tuple(row), text, look.SMALL, look.DIM, 0))
             row.y += line
-        return covered
+        return strokes
 
     def _write(self, answer):
         if answer is None:
@@ -104,6 +94,6 @@ def _iterations(number):
 
 def draw_scale(surface, theme, rect, stale):
     """Draw the colours from never to always as they look over air, from left to right."""
-    colours = scale_over_air(theme.colours, stale).tolist()
-    for x in range(rect.width):
-        surface.fill(colours[x * (len(colours) - 1) // max(1, rect.width - 1)], (rect.x + x, rect.y, 1, rect.height))
+    colours, (left, top, width, height) = scale_over_air(theme.colours, stale).tolist(), rect
+    for x in range(width):
+        surface.fill(colours[x * (len(colours) - 1) // max(1, width - 1)], (left + x, top, 1, height))

@@ -67,12 +67,13 @@ class GlassSection:
         """
         sessions = self._sessions
         grains = sessions.now.world.grains
-        self._refills = refill or (join and self._refills)
+        self._refills, words = refill or (join and self._refills), ""
         if not self._refills and grains > glass.inside().sum() // 2:
             self._refills = True
             words = f"This glass is too small for {grains:,} grains: it was filled anew."
-            self._notices.say(words, holds=lambda: sessions.now.scene.glass == glass)
         sessions.do(Reshape(glass, self._refills), join)
+        if words:
+            self._notices.say(words)
 
 
 def _glass_on(shape):

@@ -38,6 +38,15 @@ class Card:
         return covered
 
 
+def box_strokes(theme, rect):
+    """Return the strokes of an empty card that fills `rect`."""
+    return [
+        (draw_list.fill, tuple(rect), theme.colours.ground),
+        (draw_list.box, tuple(rect), look.EDGE, theme.px(RADIUS)),
+        (draw_list.box, tuple(rect.inflate(-2, -2)), look.GROUND, theme.px(RADIUS)),
+    ]
+
+
 def draw_box(surface, theme, rect):
     """Draw an empty card around `rect`; return the rects that it covers."""
     edge = rect.inflate(2 * theme.px(5), 2 * theme.px(5))

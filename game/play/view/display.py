@@ -54,7 +54,7 @@ class Display:
         self.layout = None
         self.stage: LatticeView = SandView(window)
         self.panel_shown = True
-        self.plots_shown = False
+        self.plots_shown = self.legend_shown = self.figures_shown = False
         self.pages = ()  # what takes the place of everything else in the window while it is open
         self.now_s = 0.0  # when this frame is
         self.stale = False  # the view of the sand has to be drawn anew
@@ -82,12 +82,13 @@ class Display:
     def fit(self, session):
         """Lay everything out for a session's worlds, if anything about that has changed; return whether it had."""
         shape, walls = session.world.shape, session.scene.made_of
-        looks = session, self.window.size, shape, walls, self.colours, self._settings["ui_scale"]
+        cards = ("legend",) * self.legend_shown + ("figures",) * self.figures_shown
+        looks = session, self.window.size, shape, walls, self.colours, self._settings["ui_scale"], cards
         if looks == self._looks:
             return False
         self._looks = looks
         self._renew_theme()
-        self.layout = Layout(self.theme, self.window.size, self.panel_shown, shape if self.plots_shown else None)
+        self.layout = Layout(self.theme, self.window.size, self.panel_shown, shape, self.plots_shown, cards)
         self.window.surface.fill(self.colours.ground)
         if session is not self._session:
             self._session = session

@@ -2,6 +2,8 @@
 
 from typing import NamedTuple
 
+import pygame
+
 from game.play.ui import draw_list
 from game.play.view.outlines import fixture_marks, tilt_marks
 from game.world.sessions.session import Session
@@ -16,8 +18,7 @@ class Frame(NamedTuple):
     passing: bool  # its moment is passed too quickly to be worth a look
     marks: tuple  # of the tools
     overlays: tuple  # what is shown over the sand, the last on top
-    time_bar: list  # strokes
-    status_line: list  # strokes
+    strips: dict  # {rect as a tuple: strokes} of what is drawn anew whenever it looks different
     plots: object
     controls: object  # the Ui of the panel, or None
 
@@ -27,14 +28,14 @@ class Renderer:
 
     def __init__(self, display):
         self._display = display
-        self._bar = self._line = None  # the strokes as last drawn
+        self._strips = {}  # as last drawn
         self._overlays = ()
         self._plain = True  # falling sand was last drawn cell by cell
         self._lay_over = self._draw_overlays  # one object, which the view knows again
 
     def forget(self):
-        """Draw the lines under the sand anew next time."""
-        self._bar = self._line = None
+        """Draw anew next time what lies beside the sand."""
+        self._strips = {}
 
     def draw(self, frame):
         """Draw what differs from the Frame on the window; return the rects that changed."""
@@ -42,14 +43,11 @@ class Renderer:
         if frame.page:
             return frame.page.draw(surface)
         rects = self._draw_sand(frame)
-        if frame.time_bar != self._bar:
-            self._bar = frame.time_bar
-            draw_list.draw(surface, theme, self._bar)
-            rects.append(layout.bar)
-        if frame.status_line != self._line:
-            self._line = frame.status_line
-            draw_list.draw(surface, theme, self._line)
-            rects.append(layout.status_line)
+        for rect, strokes in frame.strips.items():
+            if strokes != self._strips.get(rect):
+                draw_list.draw(surface, theme, strokes)
+                rects.append(pygame.Rect(rect))
+        self._strips = frame.strips
         rects += frame.plots.draw(surface)
         if frame.controls and frame.controls.end(surface):
             rects.append(layout.panel)

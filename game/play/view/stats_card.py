@@ -1,24 +1,20 @@
 """The stats card: what the status line leaves out, while the pointer rests on that line, or until a click on it."""
 
-import pygame
-
 from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.ui.card import draw_box
+from game.play.ui.card import box_strokes
 from game.play.ui.tooltips import LATER_S
 from game.play.view.status_line import counted
 from game.world.sessions.session import BUDGET_NS
 from game.world.sessions.snapshots import MEGABYTE
 
-WIDTH = 400  # pixels at scale 1
-PAD = 10
-AWAY = 10  # from the lower left corner of the sand
+AWAY, PAD = 4, 8  # pixels at scale 1 around the card and in it
 BUSY = "frames came late: this computer was busy with something else"
 FULL = "the sand takes all the time that a frame has"
 
 
 class StatsCard:
-    """The card in the lower left corner of the sand."""
+    """The card beside the sand, or below it."""
 
     def __init__(self, sessions, display, stats):
         self._sessions, self._display, self._stats = sessions, display, stats
@@ -31,14 +27,6 @@ class StatsCard:
     def shown(self):
         """Whether the card is there."""
         return bool(self.lines)
-
-    @property
-    def height(self):
-        """How many pixels it takes of the sand's lower edge."""
-        theme = self._display.theme
-        if not self.shown:
-            return 0
-        return len(self._rows()) * theme.line_height(look.SMALL) + 2 * theme.px(PAD) + theme.px(AWAY)
 
     def toggle(self):
         """Keep the card open, or close it."""
@@ -61,27 +49,20 @@ class StatsCard:
             lines, self._reading = tuple(self._write(reading)), reading
         else:
             lines = self.lines if wanted else ()
-        if lines != self.lines:
-            self.lines = lines
-            self._display.refresh()
+        self.lines = lines
+        self._display.figures_shown = self.shown
 
-    def draw(self, surface, theme, area):
-        """Draw the card; return the rects that it covers."""
-        px, line, rows = theme.px, theme.line_height(look.SMALL), self._rows()
-        wide = max(theme.width(row, look.SMALL) for row in rows) + 2 * px(PAD)
-        high = line * len(rows) + 2 * px(PAD)
-        rect = pygame.Rect(area.x + px(AWAY), area.bottom - px(AWAY) - high, wide, high)
-        covered = draw_box(surface, theme, rect.inflate(-2 * px(5), -2 * px(5)))
-        for number, row in enumerate(rows):
-            place = (rect.x + px(PAD), rect.y + px(PAD) + number * line, wide - 2 * px(PAD), line)
-            draw_list.words(surface, theme, place, row, look.SMALL, look.TEXT, 0)
-        return covered
-
-    def _rows(self):
-        """Return the lines broken to fit the sand's part of the window."""
-        theme = self._display.theme
-        room = min(theme.px(WIDTH), self._display.layout.sand.width - 2 * theme.px(AWAY)) - 2 * theme.px(PAD)
-        return [row for line in self.lines for row in theme.lines(line, look.SMALL, room)]
+    def drawing(self, theme, rect):
+        """Return the strokes of the card in `rect`, with as many of the lines as there is room for."""
+        px, high = theme.px, theme.line_height(look.SMALL)
+        card = rect.inflate(-2 * px(AWAY), -2 * px(AWAY))
+        row = card.inflate(-2 * px(PAD), -2 * px(PAD))
+        rows = [each for line in self.lines for each in theme.lines(line, look.SMALL, row.width)]
+        strokes = box_strokes(theme, card)
+        for number, text in enumerate(rows[: max(0, row.height // high)]):
+            place = (row.x, row.y + number * high, row.width, high)
+            strokes.append((draw_list.words, place, text, look.SMALL, look.TEXT, 0))
+        return strokes
 
     def _write(self, reading):
         session = self._sessions.now

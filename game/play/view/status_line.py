@@ -1,4 +1,4 @@
-"""The status line: one calm line under the sand that says how fast it runs and how many grains there are."""
+"""The status line: says calmly under the sand how fast it runs and how many grains there are, and what happened."""
 
 import pygame
 
@@ -28,23 +28,42 @@ class StatusLine:
         self._pace, self._grains = _pace(reading, session), _grains(grains, books)
         self._alarm = (reading.full and not session.paused) or grains != books
 
-    def drawing(self, theme, rect, session, said="", aside=""):
+    def drawing(self, theme, rect, session, said="", aside="", notice=None, badge=None):
         """Return the strokes of the line in `rect`: a value that changes only when the line does.
 
-        said: goes first, and is to be noticed. aside: goes first where nothing is said.
+        said: goes first, and is to be noticed. aside: goes first where nothing is said. notice: (text, whether it
+        tells of trouble) or None; it has the upper row, or both if it is long. badge: the ZoomBadge at the right, or
+        None.
         """
         px = theme.px
         words = pygame.Rect(rect).inflate(-2 * px(12), 0)
+        if not notice:
+            strokes = [(draw_list.fill, tuple(rect), look.SUNKEN)]
+            return strokes + self._words(theme, words, session, said, aside, badge)
+        rows, size = _rows(theme, notice[0], words.width)
+        upper, lower = pygame.Rect(words), pygame.Rect(words)
+        upper.height = words.height // 2
+        lower.y, lower.height = upper.bottom, words.height - upper.height
+        colour = look.BRIGHT_ACCENT if notice[1] else look.TEXT
+        strokes = [(draw_list.fill, tuple(rect), look.RAISED)]
+        strokes += [
+            (draw_list.words, tuple(each), row, size, colour, 0)
+            for each, row in zip((upper, lower), rows, strict=False)
+        ]
+        return strokes + (self._words(theme, lower, session, said, aside, badge) if len(rows) == 1 else [])
+
+    def _words(self, theme, words, session, said, aside, badge):
+        """Return the strokes of what the line says when nothing has happened."""
+        px, badge_strokes = theme.px, []
+        if badge:
+            badge_strokes, words = badge.drawing(theme, words)
         first = [said or aside] if said or aside else []
         if session.now < session.reached:
             first.append(f"Iteration {session.now:,} of {session.reached:,}")
         text = self._fitting(theme, first, "Paused" if session.paused else self._pace, words.width)
         colour = look.ACCENT if said or self._alarm else look.DIM
-        line = [
-            (draw_list.fill, tuple(rect), look.SUNKEN),
-            (draw_list.words, tuple(words), text, look.SMALL, colour, 0),
-        ]
-        if theme.width(text, look.SMALL) + px(24) + theme.width(KEY, look.SMALL) <= words.width:
+        line = [*badge_strokes, (draw_list.words, tuple(words), text, look.SMALL, colour, 0)]
+        if not badge and theme.width(text, look.SMALL) + px(24) + theme.width(KEY, look.SMALL) <= words.width:
             line.append((draw_list.words, tuple(words), KEY, look.SMALL, look.FAINT, 1))
         return line
 
@@ -54,6 +73,17 @@ class StatusLine:
             return GAP.join(first)
         lines = [GAP.join(each) for each in ([*first, pace, self._grains], [*first, pace], first) if each]
         return next((line for line in lines if theme.width(line, look.SMALL) <= room), lines[-1])
+
+
+def _rows(theme, text, room):
+    """Return (text in one row or two, their size); of a text that is still too long the middle is left out."""
+    if theme.width(text, look.BODY) <= room:
+        return [text], look.BODY
+    rows, kept = theme.lines(text, look.SMALL, room), len(text)
+    while len(rows) > 2 and kept > 4:
+        kept -= 4
+        rows = theme.lines(f"{text[: kept // 2]}…{text[-(kept // 2) :]}", look.SMALL, room)
+    return rows[:2], look.SMALL
 
 
 def _pace(reading, session):

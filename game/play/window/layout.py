@@ -1,6 +1,6 @@
 """The layout: where the parts of the window lie, and how large the window is when it opens for the first time."""
 
-from itertools import takewhile
+from itertools import pairwise
 
 import pygame
 
@@ -8,25 +8,32 @@ from game.play.window.window import room_on
 from game.world.sand import parameters
 
 MARGIN = 8  # pixels at scale 1 around the sand
-TIME_BAR, STATUS_LINE = 22, 30  # their heights in pixels at scale 1
+TIME_BAR, STATUS_LINE = 22, 40  # their heights in pixels at scale 1; the line has room for two rows of words
 PANEL = 300  # its width in pixels at scale 1
 NARROWEST_PANEL = 240  # at scale 1: all words of the controls still fit
 LOWEST_WINDOW = 160  # at scale 1: sand, pages and cards still have room
 PLOTS = 210, 132  # pixels at scale 1: width of a column of plots, height of a strip
-PLOTS_COLUMN, PLOTS_STRIP = 460, 760  # the least height of the one and width of the other
+PLOTS_COLUMN, PLOTS_STRIP = 450, 760  # the least height of the one and width of the other
 LEAST_SAND = 240  # what the plots leave to the sand, or they are not shown
+COLUMN = 242  # pixels at scale 1: width of a column of cards
+CARDS = {"legend": (196, 96), "figures": (196, 108)}  # pixels at scale 1: their heights in a column and in a strip
+STRIP = 480  # pixels at scale 1: the least width in which two cards stand side by side
+MOST_CARDS = 0.5  # of the height of the sand's part of the window, that cards below it may take
 
-SHARE = 0.7  # of the desktop that a window grows to
-LARGEST = 2880, 1620  # pixels: drawing many more of them would take a good part of each frame
+SHARE = 0.8  # of each side of the desktop's room that a window takes when it opens for the first time
+LARGEST = 3072, 1728  # pixels of such a window: drawing many more of them would take a good part of each frame
 FINE, FINE_SCALE = 2000, 1.5  # a desktop of so many pixels from top to bottom has small ones: the panel begins larger
 LOWEST = 560  # pixels at scale 1: of a window whose panel is still of use
 
 
 class Layout:
-    """The parts' rects in a window of `size` (width, height) in pixels, with the panel shown or not."""
+    """The parts' rects in a window of `size` (width, height) in pixels, with the panel shown or not.
 
-    def __init__(self, theme, size, panel_shown, plotted=None):
-        """`plotted`: the shape of the lattice whose plots are shown beside it, or None."""
+    Nothing lies over the sand: plots and cards take room from its part of the window.
+    """
+
+    def __init__(self, theme, size, panel_shown, shape=None, plotted=False, cards=()):
+        """`shape`: of the lattice, whose plots and whose `cards`, names in CARDS, are shown beside it."""
         width, height = size
         self.panel = _panel_in(theme, size)
         wide = width - (self.panel.width if panel_shown else 0)
@@ -36,9 +43,12 @@ class Layout:
         self.status_line = pygame.Rect(0, height - line, wide, line)
         self.plots = None  # or their rect, where there is room for them
         if plotted:
-            self._make_room(theme, plotted)
+            self._place_plots(theme, shape)
+        self.cards = {}  # {name: rect}
+        if cards:
+            self._place_cards(theme, shape, cards)
 
-    def _make_room(self, theme, shape):
+    def _place_plots(self, theme, shape):
         """Give the plots a column beside the sand or a strip below it, whichever leaves larger cells."""
         sand, wide, high = self.sand, theme.px(PLOTS[0]), theme.px(PLOTS[1])
         ways = []
@@ -48,7 +58,55 @@ class Layout:
             below = pygame.Rect(0, sand.height - high, sand.width, high)
             ways.append((pygame.Rect(0, 0, sand.width, sand.height - high), below))
         if ways:
-            self.sand, self.plots = max(ways, key=lambda way: min(way[0].height / shape[0], way[0].width / shape[1]))
+            self.sand, self.plots = max(ways, key=lambda way: _cell(way[0], shape))
+
+    def _place_cards(self, theme, shape, names):
+        """Give the cards the way that leaves the largest cells, and of such ways the one that moves the sand least.
+
+        They stand on both sides of the sand, in a column at its left, or in a strip below it.
+        """
+        ways = _beside(theme, self.sand, names), _in_a_column(theme, self.sand, names), _below(theme, self.sand, names)
+        self.sand, self.cards = max(ways, key=lambda way: _cell(way[0], shape))
+
+
+def _cell(sand, shape):
+    """Return how large a cell of a lattice is in its part of the window."""
+    return min(sand.height / shape[0], sand.width / shape[1])
+
+
+def _beside(theme, sand, names):
+    """Return (sand, {name: rect}) with the cards in columns at both sides, so that the sand's middle stays."""
+    wide = theme.px(COLUMN)
+    places = {}
+    for name in names:
+        left = sand.x if name == names[0] else sand.right - wide
+        places[name] = pygame.Rect(left, sand.y, wide, min(theme.px(CARDS[name][0]), sand.height))
+    return pygame.Rect(sand.x + wide, sand.y, max(0, sand.width - 2 * wide), sand.height), places
+
+
+def _in_a_column(theme, sand, names):
+    """Return (sand, {name: rect}) with the cards one below another at the left."""
+    wide, places, top = theme.px(COLUMN), {}, sand.y
+    for name in names:
+        places[name] = pygame.Rect(sand.x, top, wide, min(theme.px(CARDS[name][0]), sand.height // len(names)))
+        top = places[name].bottom
+    return pygame.Rect(sand.x + wide, sand.y, max(0, sand.width - wide), sand.height), places
+
+
+def _below(theme, sand, names):
+    """Return (sand, {name: rect}) with the cards in a strip below, side by side or one below another."""
+    heights, most, wide = [theme.px(CARDS[name][1]) for name in names], MOST_CARDS * sand.height, theme.px(COLUMN)
+    if len(names) > 1 and sand.width >= theme.px(STRIP):
+        high = round(min(max(heights), most))
+        rects = pygame.Rect(sand.x, 0, wide, high), pygame.Rect(sand.x + wide, 0, sand.width - wide, high)
+    else:
+        part = min(1.0, most / sum(heights))
+        tops = [round(part * sum(heights[:number])) for number in range(len(names) + 1)]
+        rects = [pygame.Rect(sand.x, top, sand.width, end - top) for top, end in pairwise(tops)]
+        high = tops[-1]
+    top = sand.bottom - high
+    left = pygame.Rect(sand.x, sand.y, sand.width, top - sand.y)
+    return left, {name: rect.move(0, top) for name, rect in zip(names, rects, strict=True)}
 
 
 def fitting_scale(ui_scale, window_size):
@@ -79,16 +137,9 @@ def first_scale(desktop):
 
 
 def first_size(scene, theme, desktop):
-    """Return the size of a window whose cells are as large as suits a desktop of (width, height) in pixels.
+    """Return the size of the first window on a desktop of (width, height) in pixels: a good part of its room.
 
-    The cells grow from what the scene asks for, in whole pixels. A scene that needs more than there is gets what it
-    asks for; Window cuts that.
+    A scene that needs more gets what it asks for, as far as there is room.
     """
-    room = room_on(desktop)
-
-    def suits(size):
-        fits = all(side <= min(*most) for side, *most in zip(size, room, LARGEST, strict=True))
-        return fits and size[0] * size[1] <= SHARE * desktop[0] * desktop[1]
-
-    sizes = (window_size(scene, cell, theme) for cell in range(scene.cell, parameters.CELL.high + 1))
-    return [window_size(scene, scene.cell, theme), *takewhile(suits, sizes)][-1]
+    sides = zip(window_size(scene, scene.cell, theme), room_on(desktop), LARGEST, strict=True)
+    return tuple(min(room, max(wanted, min(round(SHARE * room), most))) for wanted, room, most in sides)

@@ -14,9 +14,9 @@ import pygame
 
 from game.play.window import icon
 
-SMALLEST = (640, 480)
+SMALLEST = (640, 480)  # that a window is made, where the desktop has room for it
 LEAST_SURFACE = (320, 240)  # a smaller window shows the corner of a surface of this size
-ROOM_FOR_DECORATION = (24, 80)  # pixels of the desktop that are left for the title bar and the desktop's own panels
+ROOM_FOR_DECORATION = (16, 64)  # pixels of the desktop that are left for the title bar and the desktop's own panels
 SWITCH_S = 1.0  # within which a switch to or from full screen is done
 SLOW_FLIP_MS = 3.0  # a flip that takes longer goes through software OpenGL: writing to the window is far cheaper
 TITLE = "Sandglass"
@@ -129,7 +129,7 @@ class Window:
         pygame.display.set_mode(self._windowed_size, pygame.RESIZABLE, 32)
         pygame.display.set_caption(self._title)
         with suppress(AttributeError, pygame.error):  # not every window manager obeys
-            _of_sdl().minimum_size = SMALLEST
+            _of_sdl().minimum_size = self._fitting(SMALLEST)
         if self.fullscreen:
             _of_sdl().set_fullscreen(True)
             pygame.event.pump()  # from here on the surface has the screen's size
@@ -188,7 +188,7 @@ def desktop_size():
 
 def room_on(desktop):
     """Return the (width, height) in pixels that a desktop has for a window."""
-    sides = zip(SMALLEST, desktop, ROOM_FOR_DECORATION, strict=True)
+    sides = zip(LEAST_SURFACE, desktop, ROOM_FOR_DECORATION, strict=True)
     return tuple(max(least, most - taken) for least, most, taken in sides)
 
 

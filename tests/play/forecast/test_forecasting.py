@@ -134,7 +134,6 @@ def test_h_lays_over_the_sand_what_so_many_runs_say(paper):
     world, ahead = paper.world, paper.parts.forecasting.ahead
     expected = counts_at(world.sand, world.walls, Rule.with_p(0.5), [ahead], 10_000, world.seed, world.iteration)[0]
     assert (answer.counts == expected).all()
-    paper.parts.overlays.remove(paper.parts.forecasting)  # the legend
     paper.parts.display.refresh()
     paper.frame(elapsed_ns=0)
     seen, (kept, laid) = pixels_of(paper), cover(lambda *colour: colour[0] << 16 | colour[1] << 8 | colour[2])
@@ -259,7 +258,6 @@ def test_never_and_always_have_the_same_colours_in_the_legend_and_in_the_picture
     paper.parts.settings.override("theme", theme)
     answer, bar = see_forecast(paper), pygame.Surface((256, 1))
     legend.draw_scale(bar, paper.parts.display.theme, bar.get_rect(), False)
-    paper.parts.overlays.remove(paper.parts.forecasting)  # the legend
     paper.parts.display.refresh()
     paper.frame(elapsed_ns=0)
     seen, world = pixels_of(paper), paper.world
@@ -267,23 +265,6 @@ def test_never_and_always_have_the_same_colours_in_the_legend_and_in_the_picture
         cells = np.argwhere((answer.levels == level) & ~world.sand)
         drawn = [seen[paper.pixel(column, row)[::-1]] for row, column in cells]
         assert np.median(np.abs(np.array(drawn) - bar.get_at((x, 0))[:3]).max(axis=1)) <= SHADE
-
-
-def test_the_legend_stands_in_the_leading_pane_of_a_comparison_clear_of_the_badge():
-    player = Player("hourglass")
-    pygame.display.set_mode((1280, 720), pygame.RESIZABLE, 32)
-    player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
-    player.key(pygame.K_h, "h")
-    player.wait(1)
-    parts = player.parts
-    parts.camera.zoom(1)
-    (card,), badge = (
-        each.draw(parts.window.surface, parts.display.theme, parts.display.layout.sand)
-        for each in (parts.forecasting, parts.camera.badge)
-    )
-    assert parts.display.stage.area.contains(card) and card.collidelist(badge) < 0
-    parts.close()
-    pygame.display.quit()
 
 
 def test_another_scene_has_no_forecast_of_the_one_before(player, stuck):

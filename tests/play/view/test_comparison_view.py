@@ -99,25 +99,16 @@ def test_name_and_count_of_a_title_lie_side_by_side_and_every_name_is_whole(thre
         assert name.x + theme.width(text, kind) < left.right - theme.width(count, other)
 
 
-def test_a_line_parts_zoomed_panes_and_comes_back_from_under_a_notice(three):
+def test_a_line_parts_zoomed_panes(three):
     for _ in range(8):
         three.key(pygame.K_PLUS, "", pygame.KMOD_CTRL)
-    three.parts.notices.say("A line over all three panes, from the first to the last")
     three.hold_time()
-    three.wait(900)
-    assert not three.parts.notices.shown
+    three.wait(3)
     surface, edge = three.parts.window.surface, three.parts.display.theme.rgb("edge")
     for gap in three.parts.display.stage._gaps:
         assert {
             tuple(surface.get_at((x, y))[:3]) for x in range(gap.left, gap.right) for y in range(gap.top, gap.bottom)
         } == {edge}
-
-
-def test_the_badge_leaves_the_titles_free(three):
-    three.key(pygame.K_PLUS, "", pygame.KMOD_CTRL)
-    badge = three.parts.camera.badge
-    covered = badge.draw(three.parts.window.surface, three.parts.display.theme, three.parts.display.layout.sand)
-    assert all(rect.collidelist([*three.parts.display.stage._titles.values()]) < 0 for rect in covered)
 
 
 def test_a_flip_turns_all_three_and_undo_brings_them_back(three):

@@ -7,22 +7,10 @@ from game.play.view.dialog import Answer
 from tests.play.player import Player
 
 
-def notice(parts, _now_s):
-    parts.notices.say("A line that is to be read over the sand")
-
-
 def question(parts, _now_s):
     parts.dialog.ask(
         "A title", "And words.", [Answer("Yes", None, pygame.K_y, "Y"), Answer("No", None, pygame.K_n, "N")]
     )
-
-
-def badge(parts, _now_s):
-    parts.camera.zoom(2)
-
-
-def legend(parts, _now_s):
-    parts.forecasting.toggle()
 
 
 def glow(parts, now_s):
@@ -31,8 +19,8 @@ def glow(parts, now_s):
 
 
 def two_at_once(parts, now_s):
-    badge(parts, now_s)
-    notice(parts, now_s)
+    glow(parts, now_s)
+    question(parts, now_s)
 
 
 def sand_of(player):
@@ -43,7 +31,6 @@ def sand_of(player):
 
 def check(player, show):
     """Draw many frames of `show`, first while sand moves, then while only an outline passes; then draw it all anew."""
-    player.parts.notices.say("")  # no hint comes in between
     player.hold_time()
     show(player.parts, player.now_s)
     for number in range(60):
@@ -51,7 +38,6 @@ def check(player, show):
         player.pointer = 20 + 9 * number, 300 - 4 * number
         player.frame()
     player.pointer = None
-    player.parts.forecasting.update = lambda now_s: None  # no other answer comes between the two pictures
     player.wait(2)
     assert any(each.shown for each in player.parts.overlays)
     often = sand_of(player)
@@ -60,7 +46,7 @@ def check(player, show):
     assert (often == sand_of(player)).all()
 
 
-@pytest.mark.parametrize("show", [notice, question, badge, legend, glow, two_at_once])
+@pytest.mark.parametrize("show", [question, glow, two_at_once])
 def test_what_is_drawn_often_looks_as_if_it_were_drawn_once(glass, show):
     try:
         check(glass, show)
@@ -68,7 +54,7 @@ def test_what_is_drawn_often_looks_as_if_it_were_drawn_once(glass, show):
         glass.parts.close()
 
 
-@pytest.mark.parametrize("show", [notice, question])
+@pytest.mark.parametrize("show", [question])
 def test_so_it_does_over_three_worlds(show):
     player = Player("hourglass", (1100, 700))
     player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
@@ -80,9 +66,110 @@ def test_so_it_does_over_three_worlds(show):
 
 def test_a_still_picture_with_something_over_it_is_not_drawn_again(glass):
     glass.hold_time()
-    notice(glass.parts, glass.now_s)
-    glass.wait(20)
-    assert glass.parts.notices.shown and not any(glass.frame() for _ in range(10))
+    question(glass.parts, glass.now_s)
+    glass.wait(60)
+    assert glass.parts.dialog.shown and not any(glass.frame() for _ in range(10))
+
+
+def everything(player):
+    """Show a message, legend, plots and figures at once."""
+    player.key(pygame.K_h, "h")
+    player.key(pygame.K_l, "l")
+    player.parts.stats_card.toggle()
+    player.wait(20)
+    player.parts.notices.say("A line that is long enough to be broken where a window is as small as this one may be")
+    player.wait(2)
+
+
+@pytest.mark.parametrize("size", [(640, 480), (1280, 720)])
+@pytest.mark.parametrize("scale", [0.75, 1, 2, 3])
+@pytest.mark.parametrize("zoomed", [0, 4])
+def test_nothing_that_tells_of_the_sand_lies_over_it(glass, size, scale, zoomed):
+    glass.parts.settings.override("ui_scale", scale)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    everything(glass)
+    glass.parts.camera.zoom(zoomed)
+    glass.hold_time()
+    glass.parts.forecasting.update = lambda now_s: None  # no other answer comes between the two pictures
+    glass.wait(2)
+    left, top, right, bottom = glass.parts.display.stage.view.seen
+    lattice = pygame.Rect(left, top, right - left, bottom - top)
+    with_all = pygame.surfarray.array2d(glass.parts.window.surface.subsurface(lattice))
+    glass.parts.display.stage.refresh()
+    glass.parts.window.surface.fill((9, 9, 9))
+    strips = glass.app._frame(glass.now_s).strips
+    glass.parts.renderer.forget()
+    glass.frame(elapsed_ns=0)
+    assert len(strips) == 4 and glass.parts.notices.line
+    plots = glass.parts.display.layout.plots
+    drawn = [pygame.Rect(rect) for rect in strips] + ([plots] if plots else [])
+    assert lattice.collidelist(drawn) < 0 and lattice.size > (0, 0)
+    assert (with_all == pygame.surfarray.array2d(glass.parts.window.surface.subsurface(lattice))).all()
+
+
+@pytest.fixture
+def screen(monkeypatch):
+    """Return a function that gives what a screen shows which is brought up to date only as pygame is told to."""
+    seen = []
+
+    def flip():
+        seen[:] = [pygame.display.get_surface().copy()]
+
+    def update(rects):
+        for rect in rects:
+            seen[0].blit(pygame.display.get_surface(), rect, rect)
+
+    monkeypatch.setattr(pygame.display, "flip", flip)
+    monkeypatch.setattr(pygame.display, "update", update)
+    return lambda: pygame.surfarray.array2d(seen[0])
+
+
+@pytest.mark.parametrize("size", [(1280, 720), (1366, 768), (1920, 1080)])
+def test_nothing_of_what_was_shown_stays_on_the_screen(screen, size):
+    player = Player("paper", size)
+    player.key(pygame.K_9, "9")
+    player.pointer = 500, 300
+    player.wait(3)
+    shift_h, forecast, plots = (pygame.K_h, "H", pygame.KMOD_SHIFT), (pygame.K_h, "h"), (pygame.K_l, "l")
+    for key in (
+        shift_h,
+        forecast,
+        plots,
+        (pygame.K_p, "p"),
+        shift_h,
+        plots,
+        forecast,
+        (pygame.K_F1,),
+        (pygame.K_F1,),
+        (pygame.K_p, "p"),
+    ):
+        player.key(*key)
+        player.pointer = player.pointer[0] + 37, player.pointer[1] - 11
+        player.wait(2)
+        assert (screen() == pygame.surfarray.array2d(pygame.display.get_surface())).all(), key
+    player.parts.close()
+    pygame.display.quit()
+
+
+def test_a_line_goes_with_what_it_is_about(player):
+    parts = player.parts
+    parts.notices.say("The timer was stopped.")
+    player.wait(2)
+    parts.sessions.load("paper")
+    player.wait(1)
+    assert parts.notices.text is None
+    parts.notices.say("The same, of another session.")
+    player.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
+    player.wait(1)
+    assert "three schedules" in parts.notices.text
+
+
+def test_trouble_is_told_whatever_is_shown_meanwhile(player):
+    player.parts.notices.say("It cannot be.", trouble=True)
+    player.parts.sessions.load("paper")
+    player.wait(2)
+    assert player.parts.notices.text == "It cannot be."
 
 
 def test_a_notice_goes_when_what_it_says_holds_no_more(player):

@@ -3,6 +3,7 @@
 import pygame
 import pytest
 
+from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.view.frame_stats import FrameTime, read
 from game.play.view.stats_card import BUSY, FULL
@@ -132,17 +133,23 @@ def test_a_click_on_the_line_keeps_the_figures(glass):
 
 @pytest.mark.parametrize("size", [(640, 480), (1280, 720)])
 @pytest.mark.parametrize("scale", [0.75, 1, 3])
-def test_figures_and_a_notice_share_the_lower_edge(glass, size, scale):
+def test_a_line_is_read_to_its_end_and_leaves_the_state_its_row(glass, size, scale):
     glass.parts.settings.override("ui_scale", scale)
     pygame.display.set_mode(size, pygame.RESIZABLE, 32)
     glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-    glass.parts.stats_card.toggle()
-    glass.parts.notices.say("A line that is long enough to be broken where a window is as small as this one may be")
     glass.wait(20)
-    parts, area = glass.parts, glass.parts.display.layout.sand
-    (card,), (notice,) = (
-        each.draw(parts.window.surface, parts.display.theme, area) for each in (parts.stats_card, parts.notices)
-    )
-    assert not card.colliderect(notice) and area.contains(card) and area.contains(notice)
-    rows = parts.stats_card._rows()
-    assert not any("…" in row for row in rows)
+    theme, rect = glass.parts.display.theme, glass.parts.display.layout.status_line
+    for said in ("Short.", f"/home/{'long/' * 40}a.png: no space left on device"):
+        strokes = glass.parts.status_line.drawing(theme, rect, glass.session, notice=(said, True))
+        places = [(pygame.Rect(place), text[0]) for stroke, place, *text in strokes if stroke is draw_list.words]
+        assert all(rect.contains(place) for place, _ in places)
+        words = " ".join(text for _, text in places)
+        assert ("grains" in words) if said == "Short." else ("no space left on device" in words)
+
+
+def test_figures_tell_nothing_beside_their_card(glass):
+    glass.parts.stats_card.toggle()
+    glass.wait(20)
+    rect = glass.parts.display.layout.cards["figures"]
+    strokes = glass.parts.stats_card.drawing(glass.parts.display.theme, rect)
+    assert len(strokes) > 5 and all(rect.contains(pygame.Rect(place)) for _, place, *_ in strokes)

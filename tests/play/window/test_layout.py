@@ -1,52 +1,49 @@
-"""The first window: as large as suits the screen, its cells whole pixels, and never larger than the desktop."""
+"""The layout: every part has a place of its own, and the first window is as large as suits the screen."""
 
+from itertools import combinations, product
+
+import pygame
 import pytest
 
 from game.play import loop
 from game.play.ui.theme import Theme
-from game.play.window.layout import LARGEST, MARGIN, SHARE, Layout, first_scale, first_size, window_size
+from game.play.window.layout import LARGEST, Layout, first_scale, first_size, fitting_scale, window_size
+from game.play.window.window import Window
 from game.world.files.settings import Settings
 from game.world.looks.view import View
 from game.world.scenes.scene import load_scene, scene_names
 
-DESKTOPS = (1280, 800), (1920, 1080), (2560, 1440), (3840, 2160)
+DESKTOPS = (640, 480), (1280, 720), (1280, 800), (1920, 1080), (2560, 1440), (3840, 2160), (7680, 4320)
 SCENES = [name for name in scene_names() if name != "fullhd"]
 
 
-def cell_in(size, scene, theme):
-    """Return the pixels to a cell in a window of that size."""
-    sand = Layout(theme, size, panel_shown=True).sand.inflate(-2 * theme.px(MARGIN), -2 * theme.px(MARGIN))
-    return View.fit(scene.shape, *sand).cell
-
-
 @pytest.mark.parametrize("desktop", DESKTOPS)
+@pytest.mark.parametrize("name", scene_names())
+def test_the_window_and_its_decorations_fit_every_desktop(name, desktop):
+    width, height = first_size(load_scene(name), Theme(1.0), desktop)
+    assert width <= desktop[0] - 16 and height <= desktop[1] - 64
+
+
+@pytest.mark.parametrize("desktop", [(1920, 1080), (2560, 1440), (3840, 2160)])
 @pytest.mark.parametrize("name", SCENES)
-def test_it_grows_in_whole_cells_to_what_the_screen_has_room_for(name, desktop):
-    scene, theme = load_scene(name), Theme(1.0)
-    size = first_size(scene, theme, desktop)
-    cell = cell_in(size, scene, theme)
-    assert cell == int(cell) >= scene.cell
-    assert size == window_size(scene, int(cell), theme)
-    larger = window_size(scene, int(cell) + 1, theme)
-    too_much = larger[0] * larger[1] > SHARE * desktop[0] * desktop[1]
-    assert too_much or larger[0] > min(desktop[0] - 24, LARGEST[0]) or larger[1] > min(desktop[1] - 80, LARGEST[1])
+def test_it_takes_four_fifths_of_a_large_desktop(name, desktop):
+    width, height = first_size(load_scene(name), Theme(1.0), desktop)
+    assert width >= 0.79 * desktop[0] and height >= 0.79 * (desktop[1] - 64)
 
 
-@pytest.mark.parametrize("desktop", DESKTOPS[1:])
-@pytest.mark.parametrize("name", SCENES)
-def test_it_is_never_larger_than_the_desktop_nor_than_frames_can_bear(name, desktop):
-    size = first_size(load_scene(name), Theme(1.0), desktop)
-    assert all(side < most and side <= largest for side, most, largest in zip(size, desktop, LARGEST, strict=True))
+def test_on_a_small_desktop_the_glass_has_the_height_that_there_is():
+    assert first_size(load_scene("hourglass"), Theme(1.0), (1280, 720))[1] == 720 - 64
 
 
-def test_a_scene_that_needs_more_gets_what_it_asks_for():
-    scene = load_scene("fullhd")
-    assert first_size(scene, Theme(1.0), (3840, 2160)) == window_size(scene, 1, Theme(1.0))
+def test_no_first_window_is_larger_than_frames_can_bear():
+    assert first_size(load_scene("hourglass"), Theme(1.0), (7680, 4320)) == LARGEST
 
 
-def test_a_large_screen_gets_a_larger_window():
-    scene = load_scene("hourglass")
-    assert cell_in(first_size(scene, Theme(1.0), (2560, 1440)), scene, Theme(1.0)) == 5 > scene.cell
+def test_the_whole_window_is_on_a_screen_of_480_rows(monkeypatch):
+    monkeypatch.setattr(pygame.display, "get_desktop_sizes", lambda: [(640, 480)])
+    window = Window((900, 700))
+    assert window.size[1] <= 480 - 64
+    pygame.display.quit()
 
 
 def test_what_was_remembered_or_asked_for_goes_first(monkeypatch):
@@ -72,3 +69,25 @@ def test_what_was_set_is_known_from_what_was_not(tmp_path):
     kept["ui_scale"] = 1.25
     kept.take_unsaved()()
     assert Settings(tmp_path / "settings.toml").has("ui_scale")
+
+
+@pytest.mark.parametrize("size", [(320, 240), (640, 480), (1280, 720), (1366, 768), (1920, 1080), (3840, 2160)])
+@pytest.mark.parametrize("scale", [0.75, 1, 1.5, 2, 3])
+@pytest.mark.parametrize("shape", [(240, 180), (61, 61), (90, 400), (1080, 1920)])
+def test_all_parts_have_a_place_of_their_own(size, scale, shape):
+    theme, window = Theme(fitting_scale(scale, size)), pygame.Rect(0, 0, *size)
+    for panel, plotted, legend, figures in product((True, False), repeat=4):
+        cards = ("legend",) * legend + ("figures",) * figures
+        layout = Layout(theme, size, panel, shape, plotted, cards)
+        assert set(layout.cards) == set(cards)
+        rects = [layout.sand, layout.bar, layout.status_line, *layout.cards.values(), *[layout.panel] * panel]
+        rects += [layout.plots] if layout.plots else []
+        assert all(window.contains(rect) and min(rect.size) > 0 for rect in rects)
+        assert not any(one.colliderect(other) for one, other in combinations(rects, 2))
+
+
+@pytest.mark.parametrize("cards", [("legend",), ("figures",), ("legend", "figures")])
+def test_cards_beside_a_glass_leave_it_where_it_is(cards):
+    theme, shape = Theme(1.0), (240, 180)
+    alone, with_cards = (Layout(theme, (1280, 720), True, shape, cards=each).sand for each in ((), cards))
+    assert View.fit(shape, *alone) == View.fit(shape, *with_cards)
