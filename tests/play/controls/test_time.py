@@ -285,11 +285,11 @@ def test_what_takes_long_is_announced_by_a_frame_before(player, monkeypatch, cod
     monkeypatch.setattr(open_sessions, "LARGE", 100)
     session, before = player.session, player.world.digest()
     player.press(code, mod=mod)
-    assert done in str(player.parts.renderer._line)
+    assert done in str(player.parts.renderer._strips)
     assert player.session is session and player.world.digest() == before
     player.frame()
     assert player.session is not session or player.world.digest() != before
-    assert done not in str(player.parts.renderer._line)
+    assert done not in str(player.parts.renderer._strips)
 
 
 def test_streams_stay_smooth_while_time_is_held_and_in_the_picture_of_the_sand(glass, monkeypatch):

@@ -129,8 +129,11 @@ def forecast_by(player, thread):
 
 
 def test_h_lays_over_the_sand_what_so_many_runs_say(paper):
-    bare = pixels_of(paper)
-    answer = see_forecast(paper)
+    answer, stage = see_forecast(paper), paper.parts.display.stage
+    heatmap, stage.heatmap = stage.heatmap, None
+    paper.parts.display.refresh()
+    paper.frame(elapsed_ns=0)
+    bare, stage.heatmap = pixels_of(paper), heatmap
     world, ahead = paper.world, paper.parts.forecasting.ahead
     expected = counts_at(world.sand, world.walls, Rule.with_p(0.5), [ahead], 10_000, world.seed, world.iteration)[0]
     assert (answer.counts == expected).all()
@@ -196,7 +199,7 @@ def test_the_forecast_of_flowing_sand_does_not_flicker(player, scripted):
         forecasting = player.parts.forecasting
         return bool(player.parts.display.stage.heatmap), forecasting.stale, forecasting.legend.lines[0] != "Forecast"
 
-    player.toy.forecasting.ahead = 1000
+    player.parts.forecasting.ahead = 1000
     player.frame()
     for _ in range(25):
         assert seen() == (False, False, False)

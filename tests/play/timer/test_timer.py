@@ -364,7 +364,7 @@ def sessions():
 
 def said_of(sessions, seconds, work_s):
     """Return what a timer says of sand that runs out in 3000 iterations, which take `work_s` to compute, or None."""
-    plan, notices, silent = RunOut(0, 3000, True, False, work_s * 1e9 / 3000), Notices(), lambda *_: None
+    plan, notices, silent = RunOut(0, 3000, True, False, work_s * 1e9 / 3000), Notices(lambda: None), lambda *_: None
     planner = SimpleNamespace(newest=plan, ask=lambda: plan)
     glow, chime = SimpleNamespace(start=silent, stop=silent), SimpleNamespace(prepare=silent, ring=silent)
     timer = Timer(sessions, planner, notices, silent, glow, chime, clock=lambda: 0.0)

@@ -41,7 +41,7 @@ from game.world.scenes.scene import load_scene
 from game.world.sessions.session import Session
 
 return_freed_memory()
-sessions = Sessions(Session(load_scene("hourglass"), 0), Journals(print), Notices(), lambda: None)
+sessions = Sessions(Session(load_scene("hourglass"), 0), Journals(print), Notices(lambda: None), lambda: None)
 sessions.load("clocks")
 mixed = [np.ones(size) for _ in range(1000) for size in (8000, 100)]  # 64 MB, as snapshots are, among what stays
 del mixed[::2]
