@@ -15,8 +15,9 @@ Nothing here needs a display, so the sand can live in another program or game en
         print("".join(row))
 
 World      cells, iteration and seed: `from_cells`, `sand`, `walls`, `grains`, `flip`, `copy`, `digest`.
-Rule       seven probabilities and a schedule; `Rule.with_p(p)` is the paper's one-parameter rule.
-advance    runs iterations of a rule on a world, in place.
+Rule       how materials move, a probability for each chance, a schedule: read from a file of pictures by `load_rule`,
+           by the name of a shipped rule or by path. `Rule.with_p(p)` is the paper's one-parameter rule of sand.
+advance    runs iterations of a rule on a world, in place; worlds hold air, sand and wall, and refuse other rules.
 density    the chance of sand in each cell after some iterations, from many runs at once.
 Scene      a world, rule and pace read from a file by `load_scene`, by the name of a shipped scene or by path.
 
@@ -26,13 +27,16 @@ The model is that of Devlin & Schuster, "Probabilistic Cellular Automata for Gra
 from importlib import import_module
 
 _MODULES = {
-    "Rule": "game.world.sand.rule",
+    "Rule": "game.world.rules.rule",
+    "RuleError": "game.world.rules.rule_text",
     "Scene": "game.world.scenes.scene",
     "SceneError": "game.world.scenes.scene",
     "World": "game.world.sand.world",
     "advance": "game.world.sand.advance",
     "density": "game.world.sand.ensemble",
+    "load_rule": "game.world.rules.rule",
     "load_scene": "game.world.scenes.scene",
+    "rule_names": "game.world.rules.definition",
     "scene_names": "game.world.scenes.scene",
 }
 __all__ = list(_MODULES)

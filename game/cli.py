@@ -1,4 +1,4 @@
-"""The command line: play, headless, bench and study."""
+"""The command line: play, headless, rule, bench and study."""
 
 import argparse
 import sys
@@ -38,6 +38,8 @@ def _command(arguments):
         options = _headless_parser().parse_args(arguments[1:])
         _refuse_beside_replay(options, ALSO_OF_HEADLESS)
         return _headless(options) if options.replay is None else _replay(options)
+    if arguments[:1] == ["rule"]:
+        return _rule(_rule_parser().parse_args(arguments[1:]))
     if arguments[:1] == ["bench"]:
         return _bench(_bench_parser().parse_args(arguments[1:]))
     if arguments[:1] == ["study"]:
@@ -102,8 +104,8 @@ def _play_parser():
     parser = _Parser(
         prog="sandglass",
         description="A falling-sand toy: paint sand and walls, and turn the glass over.",
-        epilog="other commands: headless (time frames without a window), bench (measure the speed), "
-        "study (check the model); each has its own --help",
+        epilog="other commands: headless (time frames without a window), rule (read a rule and check it), "
+        "bench (measure the speed), study (check the model); each has its own --help",
     )
     _scene_options(parser)
     parser.add_argument("--replay", metavar="FILE", help="play a recorded session")
@@ -131,6 +133,16 @@ def _headless_parser():
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument("--replay", metavar="FILE", help="compute a recorded session to its end")
+    return parser
+
+
+def _rule_parser():
+    parser = _Parser(
+        prog="sandglass rule",
+        description="Tell what a rule says: its materials, the laws that it keeps, and how likely each event is.",
+    )
+    parser.add_argument("rule", metavar="NAME|FILE", help="a shipped rule or a rule file")
+    parser.add_argument("--out", type=Path, metavar="FILE.png", help="draw it in a picture instead")
     return parser
 
 
@@ -220,6 +232,26 @@ def _replay(options):
     print(headless.replay_text(report, options.json))
     _warn_of_cache()
     return headless.replay_status(report)
+
+
+def _rule(options):
+    from game.world.files.atomic import FileError
+    from game.world.rules.rule import load_rule
+    from game.world.rules.rule_text import RuleError
+
+    try:
+        rule = load_rule(options.rule)
+        if options.out is not None:
+            from game.world.rules.rule_picture import save_picture
+
+            save_picture(rule, options.out)
+        else:
+            from game.world.rules.description import description
+
+            print("\n".join(description(rule)))
+    except (RuleError, FileError) as error:
+        return _refuse(error)
+    return 0
 
 
 def _bench(options):

@@ -9,8 +9,8 @@ import numpy as np
 from game.world.background.kernel_warmup import steps
 from game.world.looks.painter import Painter
 from game.world.looks.view import View
+from game.world.rules.rule import Rule
 from game.world.sand import parameters
-from game.world.sand.rule import Rule
 from game.world.sessions.action import Flip, SetRule
 from game.world.sessions.session import BUDGET_NS, Session
 

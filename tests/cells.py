@@ -3,10 +3,10 @@
 import numpy as np
 
 from game import World
-from game.world.sand import parameters
+from game.world.rules.rule import PROBABILITIES
 from game.world.scenes.hourglass_spec import Glass
 
-NAMES = [each.name for each in parameters.PROBABILITIES]
+NAMES = [each.name for each in PROBABILITIES]
 
 
 def world_of(rows, seed=0):

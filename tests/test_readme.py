@@ -9,13 +9,15 @@ from pathlib import Path
 import pygame
 import pytest
 
-from game import SceneError, cli, load_scene, scene_names
+from game import SceneError, cli, load_rule, load_scene, rule_names, scene_names
 from game.play.controls.keymap import CTRL, KEYS, SHIFT
+from game.world.rules.laws import laws
 
 ROOT = Path(__file__).parents[1]
 FIRST = ROOT / "README.md"
 PLAYING = ROOT / "game" / "play" / "README.md"
 CODE = ROOT / "game" / "README.md"
+RULES = ROOT / "assets" / "rules" / "README.md"
 SCENES = ROOT / "assets" / "scenes" / "README.md"
 READMES = sorted([FIRST, *(ROOT / "game").rglob("README.md"), *(ROOT / "assets").rglob("README.md")])
 
@@ -84,11 +86,19 @@ def test_there_is_an_example():
 
 @each_readme
 def test_every_scene_shown_is_a_scene(readme, tmp_path):
-    for code in blocks(readme, "toml"):
+    for code in blocks(readme, "toml") if readme != RULES else ():
         path = tmp_path / "scene.toml"
         path.write_text(code, encoding="utf-8")
         scene = load_scene(path)
         assert scene.sand.any() and scene.walls.any()
+
+
+def test_every_rule_shown_is_a_rule_that_keeps_its_laws(tmp_path):
+    for code in blocks(RULES, "toml"):
+        path = tmp_path / "rule.toml"
+        path.write_text(code, encoding="utf-8")
+        rule = load_rule(path)
+        assert all(law.holds for law in laws(rule.definition, rule.values))
 
 
 def test_a_scene_is_shown():
@@ -154,6 +164,10 @@ def test_every_folder_of_the_code_is_on_the_map():
 
 def test_every_shipped_scene_has_a_line():
     assert sorted(rows(SCENES, "name")) == sorted(f"`{name}`" for name in scene_names())
+
+
+def test_every_shipped_rule_has_a_line():
+    assert sorted(rows(RULES, "name")) == sorted(f"`{name}`" for name in rule_names())
 
 
 @pytest.mark.parametrize(

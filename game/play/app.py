@@ -7,7 +7,7 @@ from game.play.view.frame_stats import FrameTime, own_ns
 from game.play.view.renderer import Frame
 from game.world.background.kernel_warmup import cache_trouble
 from game.world.files.settings import Settings
-from game.world.sand.rule import Rule
+from game.world.rules.rule import Rule
 from game.world.sessions.action import SetRule
 
 

@@ -6,9 +6,9 @@ from game import Rule, World, advance, load_scene
 from game.study.exact.lattices import LATTICES
 from game.study.exact.tiled_worlds import sand_and_walls
 from game.study.report import report
+from game.world.rules.rule import SCHEDULES
 from game.world.sand.clock import NS_PER_S, Clock
 from game.world.sand.ensemble import density, states_at
-from game.world.sand.rule import SCHEDULES
 from game.world.scenes.hourglass import hourglass
 
 TITLE = "5. Hard cases"

@@ -9,9 +9,9 @@ from game.study.paper.sticking import ALL_FOUR, LONG, MIRRORED, SIDE, glass, stu
 from game.study.report import report
 from game.study.report.statistics import Sample
 from game.study.report.table import Table
+from game.world.rules.rule import SCHEDULES
 from game.world.sand.ensemble import counts_at
 from game.world.sand.measure import grains_above
-from game.world.sand.rule import SCHEDULES
 from game.world.scenes.hourglass import hourglass
 
 TITLE = "4. The three schedules"

@@ -6,7 +6,6 @@ import pytest
 from game import Rule, World, advance
 from game.core.chance import threshold
 from game.core.compiler.rule_pass import pass_of
-from game.world.sand.sand_table import SAND_TABLE
 
 
 def toppled(p, seed=0, iteration=0, blocks=256):
@@ -35,7 +34,8 @@ def test_never_and_always_are_exact(p, happens):
 @pytest.mark.parametrize("p", [2.0**-32, 1 - 2.0**-32])
 def test_the_rarest_probabilities_are_not_rounded_away(p):
     assert 0 < threshold(p) < 2**32
-    moving = pass_of(SAND_TABLE, Rule.with_p(p).probabilities)
+    rule = Rule.with_p(p)
+    moving = pass_of(rule.table, rule.values)
     assert moving.chances[0] == 32
 
 

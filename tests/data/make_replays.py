@@ -4,7 +4,7 @@ import math
 from itertools import pairwise
 
 from game.world.files.paths import asset
-from game.world.sand.rule import Rule
+from game.world.rules.rule import Rule
 from game.world.scenes.scene import load_scene
 from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule
 from game.world.sessions.recording import SUFFIX

@@ -10,7 +10,7 @@ from game.study.report.statistics import Sample, shape_of
 from game.study.trade import cell_sizes, part
 from game.study.trade.chance_settings import shortened
 from game.study.trade.points import Point, point
-from game.world.sand.rule import SCHEDULES
+from game.world.rules.rule import SCHEDULES
 
 
 @pytest.mark.parametrize("schedule", PER_COLUMN)

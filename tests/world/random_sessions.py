@@ -4,8 +4,8 @@ import numpy as np
 from hypothesis import strategies as st
 
 from game import Rule, advance
+from game.world.rules.rule import SCHEDULES
 from game.world.sand.fixtures import Fixture
-from game.world.sand.rule import SCHEDULES
 from game.world.sand.sand_colours import DYES
 from game.world.scenes.hourglass_spec import Glass
 from game.world.scenes.scene import Scene

@@ -2,8 +2,8 @@
 
 from dataclasses import replace
 
+from game.world.rules.rule import PROBABILITIES, SCHEDULES, Rule
 from game.world.sand import parameters
-from game.world.sand.rule import SCHEDULES, Rule
 from game.world.sessions.action import SetRule
 
 PAPER_P = (0.25, 0.5, 0.75, 1.0)  # the four values of the paper
@@ -77,7 +77,7 @@ class FrictionSection:
         self._seven_open = ui.fold("All seven probabilities", self._seven_open, tip=SEVEN_TIP)
         if not self._seven_open:
             return rule
-        for each in parameters.PROBABILITIES:
+        for each in PROBABILITIES:
             before, after = BLOCKS[each.name]
             words = each.name.replace("_", " ").capitalize()
             value = getattr(rule, each.name)

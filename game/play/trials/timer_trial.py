@@ -21,7 +21,7 @@ from game.play.timer.timer import RUNNING
 from game.play.window.wall_clock import wall_clock
 from game.play.window.window import Window
 from game.world.background.kernel_warmup import later_steps, steps
-from game.world.sand.rule import Rule
+from game.world.rules.rule import Rule
 from game.world.scenes.hourglass_maker import glass_for, scene_of
 from game.world.scenes.scene import load_scene
 from game.world.sessions.action import Load, Paint, SetRule

@@ -4,8 +4,8 @@ import numpy as np
 
 from game.study.peers import numpy_blocks
 from game.study.peers.lattice import lattice, sand
+from game.world.rules.rule import Rule
 from game.world.sand.advance import advance
-from game.world.sand.rule import Rule
 
 WORK = 200_000_000  # cells × iterations of one check: the twin takes about a second for them, and longer for chance
 SHORTEST = 8  # iterations: each schedule has then used all its partitions twice

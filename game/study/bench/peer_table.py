@@ -9,7 +9,7 @@ from game.study.peers.numpy_blocks import NUMPY
 from game.study.report import table
 from game.study.report.report import Section
 from game.study.report.table import Column, Table
-from game.world.sand.rule import Rule
+from game.world.rules.rule import Rule
 
 COLUMNS = (
     Column("size", "lattice", table.size),

@@ -8,7 +8,7 @@ from game.study.bench.rounds import MICROSECONDS, ours, take_turns
 from game.study.report import table
 from game.study.report.report import Section
 from game.study.report.table import Column, Table
-from game.world.sand.rule import Rule
+from game.world.rules.rule import Rule
 
 SCHEDULE = worlds.GLASS_RULE.schedule
 PAPER_P = 0.5

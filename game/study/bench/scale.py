@@ -6,8 +6,8 @@ from game.study.bench.rounds import MICROSECONDS, Workload, ours, take_turns, xo
 from game.study.report import machine, table
 from game.study.report.report import Section
 from game.study.report.table import Column, Table
+from game.world.rules.rule import Rule
 from game.world.sand.advance import advance
-from game.world.sand.rule import Rule
 
 REFERENCE = (1920, 1080)  # its time per cell is 1
 FLAT = 1.5  # times the reference up to which the time per cell counts as flat

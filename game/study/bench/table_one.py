@@ -6,7 +6,7 @@ from game.study.bench.rounds import MILLISECONDS, ours, take_turns, xor_pass
 from game.study.report import table
 from game.study.report.report import Section
 from game.study.report.table import Column, Table
-from game.world.sand.rule import Rule
+from game.world.rules.rule import Rule
 
 PAPER_MS = {
     (640, 480): 3.08,

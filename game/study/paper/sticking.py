@@ -5,7 +5,7 @@ import numpy as np
 from game import Rule, World, advance
 from game.study.report import report
 from game.study.report.table import Table
-from game.world.sand.rule import SCHEDULES
+from game.world.rules.rule import SCHEDULES
 from game.world.scenes.hourglass import hourglass
 
 SIDE = 61  # cells, the paper's lattice

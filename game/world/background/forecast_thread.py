@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from game.core.draw.heatmap import heat_levels
+from game.world.rules.rule import Rule
 from game.world.sand.crop import Crop
 from game.world.sand.ensemble import Cancelled, certain, growing_counts
-from game.world.sand.rule import Rule
 
 PATIENCE_S = 0.15  # a forecast of a past moment is not refined for longer than this: so five fit into a second
 LONG_S = 1.0  # a request that is no longer asked is dropped after this, even if nothing has been said to it

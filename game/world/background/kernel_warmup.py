@@ -10,13 +10,13 @@ from game.world.looks.heatmap_colours import cover
 from game.world.looks.motion_samples import MotionSamples
 from game.world.looks.painter import Painter, rgb
 from game.world.looks.view import View
+from game.world.rules.rule import Rule
 from game.world.sand import fixtures as fixture
 from game.world.sand.advance import advance
 from game.world.sand.crop import Crop, CropBox
 from game.world.sand.ensemble import growing_counts
 from game.world.sand.fixtures import DRAIN, TAP, Fixture
 from game.world.sand.measure import pile_heights
-from game.world.sand.rule import Rule
 from game.world.sand.world import World
 from game.world.sessions.action import Draw, Fill, Paint, Turn, apply
 

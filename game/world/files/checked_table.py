@@ -17,6 +17,7 @@ class TableError(FileError):
 
     def __init__(self, file, key, found, wanted):
         super().__init__(f"{file}: {key}: found {found}, wanted {wanted}")
+        self.told = key, found, wanted
 
 
 def as_line(text):
@@ -115,7 +116,11 @@ class CheckedTable:
 
 def read_table(path):
     """Return the CheckedTable in the TOML file at `path`; raise TableError where it cannot be read."""
-    text = _read_text(path)
+    return parsed(path, read_text(path, LARGEST_FILE))
+
+
+def parsed(path, text):
+    """Return the CheckedTable of the TOML `text` of the file at `path`; raise TableError where it is broken."""
     try:
         return CheckedTable(path, parse_toml(text))
     except tomllib.TOMLDecodeError as error:
@@ -146,7 +151,8 @@ def _fits(value, knob):
     return True
 
 
-def _read_text(path):
+def read_text(path, largest):
+    """Return the text of the file at `path`, at most `largest` bytes; raise TableError where it cannot be read."""
     wanted = "a text file in UTF-8"
     try:
         if path.is_dir():
@@ -154,11 +160,11 @@ def _read_text(path):
         if path.exists() and not path.is_file():
             raise TableError(path, "file", "no ordinary file", wanted)
         with open(path, "rb") as file:
-            raw = file.read(LARGEST_FILE + 1)
+            raw = file.read(largest + 1)
     except OSError as error:
         raise TableError(path, "file", f"{error.strerror or error}".lower(), wanted) from None
-    if len(raw) > LARGEST_FILE:
-        raise TableError(path, "file", "a larger file", f"at most {LARGEST_FILE} bytes")
+    if len(raw) > largest:
+        raise TableError(path, "file", "a larger file", f"at most {largest} bytes")
     try:
         return raw.decode("utf-8-sig").replace("\r\n", "\n")
     except UnicodeDecodeError as error:

@@ -10,7 +10,7 @@ from game.core.step import advance_planes
 from game.world.sand import fixtures, parameters
 from game.world.sand.fixtures import Traffic
 from game.world.sand.grain_account import NO_GRAINS, added
-from game.world.sand.sand_table import SAND_TABLE
+from game.world.sand.sand_codes import check_held
 
 NO_TRAFFIC = Traffic(NO_GRAINS, NO_GRAINS)
 
@@ -21,8 +21,9 @@ def advance(world, rule, iterations):
     """Run `iterations` iterations of `rule` on `world`, in place; return the Traffic through the world's fixtures.
 
     The result does not depend on how the iterations are split into calls. Raises ValueError unless `iterations` is a
-    whole number in [0, 2**62].
+    whole number in [0, 2**62] and the rule is of air, sand and wall.
     """
+    check_held(rule)
     iterations = parameters.ITERATIONS.check(iterations)
     if not world.fixtures:
         _run(world, rule, iterations)
@@ -37,7 +38,7 @@ def advance(world, rule, iterations):
 
 def _run(world, rule, iterations):
     """Run iterations at once, in which no fixture acts."""
-    moving = pass_of(SAND_TABLE, rule.probabilities, DEPTH if world.coloured else 0)
+    moving = pass_of(rule.table, rule.values, DEPTH if world.coloured else 0)
     where, activity = world.layout, world.activity
     activity.expect(rule.schedule, world.iteration)
     advance_planes(

@@ -14,8 +14,7 @@ from game.core.compiler.rule_pass import pass_of
 from game.core.ensemble.runs import BITS, advance_replicas, count_replicas, read_states, replicate
 from game.world.sand import parameters
 from game.world.sand.fixtures import act_on_replicas, pause
-from game.world.sand.rule import Rule
-from game.world.sand.sand_table import SAND, SAND_TABLE, WALL
+from game.world.sand.sand_codes import SAND, WALL, check_held
 from game.world.sand.world import check_cells
 
 MOST_WORDS = 64  # words of a bit of a cell in a group at most; more is no faster
@@ -39,7 +38,7 @@ class Ensemble(NamedTuple):
 
     sand: np.ndarray  # (H, W) bool
     walls: np.ndarray  # (H, W) bool
-    rule: Rule
+    rule: object  # a Rule
     runs: int
     seed: int
     start: int  # number of the first iteration: it picks the partition
@@ -53,7 +52,7 @@ class Ensemble(NamedTuple):
 
 def certain(rule):
     """Return whether `rule` leaves nothing to chance, so that all runs are alike."""
-    return all(threshold(p) in (0, CERTAIN) for p in rule.probabilities)
+    return not rule.table.has_fair_bit and all(threshold(p) in (0, CERTAIN) for p in rule.values)
 
 
 def density(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None, fixtures=()):
@@ -62,8 +61,8 @@ def density(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, progress
     sand, walls: (H, W) bool, as `World.from_cells` takes them. start: the iteration the runs start at, as in
     `world.iteration`. progress(done_runs), if given, is called with the work done so far, in runs, up to `runs`.
     cancelled(), if given, is asked every few milliseconds; once it returns true, Cancelled is raised. fixtures: as in
-    `world.fixtures`, they act in every run. Raises ValueError for bad cells, for `runs` outside [1, 10**9] and for
-    other numbers out of range.
+    `world.fixtures`, they act in every run. Raises ValueError for bad cells, for a rule of other materials than
+    air, sand and wall, for `runs` outside [1, 10**9] and for other numbers out of range.
     """
     counts = counts_at(sand, walls, rule, [iterations], runs, seed, start, progress, cancelled, fixtures)
     return counts[0] / runs
@@ -113,6 +112,7 @@ def states_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=
 
 
 def _checked(sand, walls, rule, runs, seed, start, fixtures=()):
+    check_held(rule)
     sand, walls = check_cells(sand, walls)
     runs, seed, start = parameters.RUNS.check(runs), parameters.SEED.check(seed), parameters.START.check(start)
     return Ensemble(sand, walls, rule, runs, seed, start, tuple(fixtures))
@@ -190,4 +190,4 @@ def _bites(group, ensemble, now, iterations, cancelled):
 
 def _pass_for(rule, words):
     """Return the Pass that moves groups of so many words, no more of them at a time than there are."""
-    return pass_of(SAND_TABLE, rule.probabilities, most_lanes=1 << (words - 1).bit_length())
+    return pass_of(rule.table, rule.values, most_lanes=1 << (words - 1).bit_length())

@@ -8,8 +8,8 @@ from game.core.paint.ink import EMPTY, GRAIN, Ink, by_colour
 from game.core.paint.primitives import RECTANGLE, figure
 from game.world.sand import parameters
 from game.world.sand.grain_account import NO_GRAINS, added, split
+from game.world.sand.sand_codes import WALL
 from game.world.sand.sand_colours import AMBER, DYES
-from game.world.sand.sand_table import WALL
 
 TAP, DRAIN = "tap", "drain"
 FIRST_CELL = parameters.Knob(

@@ -49,29 +49,6 @@ def _spelt(number):
     return str(int(number)) if number == int(number) else f"{number:g}"
 
 
-def _probability(name, meaning):
-    return Knob(name, 1.0, 0.0, 1.0, "", meaning)
-
-
-TOPPLE_LEFT = _probability("topple_left", "a grain on an occupied cell slides down to the left")
-TOPPLE_RIGHT = _probability("topple_right", "a grain on an occupied cell slides down to the right")
-FALL_PAIR = _probability(
-    "fall_pair", "two grains side by side fall together; also one beside a wall above an empty cell"
-)
-FALL_LOW_LEFT = _probability("fall_low_left", "the left grain falls beside a column occupied only below")
-FALL_LOW_RIGHT = _probability("fall_low_right", "the right grain falls beside a column occupied only below")
-FALL_FULL_LEFT = _probability("fall_full_left", "the left grain falls beside a full column")
-FALL_FULL_RIGHT = _probability("fall_full_right", "the right grain falls beside a full column")
-PROBABILITIES = (
-    TOPPLE_LEFT,
-    TOPPLE_RIGHT,
-    FALL_PAIR,
-    FALL_LOW_LEFT,
-    FALL_LOW_RIGHT,
-    FALL_FULL_LEFT,
-    FALL_FULL_RIGHT,
-)
-
 P = Knob("p", 1.0, 0.0, 1.0, "", "how readily grains topple: lower is more friction")
 BIAS = Knob("bias", 0.0, -1.0, 1.0, "", "which side grains favour: left (below 0) or right (above 0)")
 SIDE = Knob("size", 480, 1, 16384, "cells", "width or height of the lattice", whole=True)

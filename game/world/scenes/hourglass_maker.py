@@ -5,9 +5,9 @@ from dataclasses import replace
 
 import numpy as np
 
+from game.world.rules.rule import Rule
 from game.world.sand import parameters
 from game.world.sand.parameters import Knob
-from game.world.sand.rule import Rule
 from game.world.scenes.hourglass import NECK, THICKNESS
 from game.world.scenes.hourglass_spec import SMALLEST, Glass
 from game.world.scenes.scene import Scene

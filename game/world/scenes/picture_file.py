@@ -15,9 +15,9 @@ from game.world.files.atomic import FileError, save
 from game.world.files.checked_table import CheckedTable, TableError
 from game.world.looks.colour_space import oklab
 from game.world.looks.themes import WALL_LOOKS
+from game.world.rules.rule import Rule
 from game.world.sand import parameters
 from game.world.sand.parameters import Knob
-from game.world.sand.rule import Rule
 from game.world.sand.sand_colours import DYED
 from game.world.scenes.cell_arrays import (
     COLOURS,

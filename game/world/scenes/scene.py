@@ -10,12 +10,12 @@ from zlib import crc32
 import numpy as np
 
 from game.world.files.atomic import FileError
-from game.world.files.checked_table import as_line, read_table
+from game.world.files.checked_table import as_line, read_table, shown
 from game.world.files.paths import asset
 from game.world.looks.themes import WALL_LOOKS
+from game.world.rules.rule import FIELDS, PROBABILITIES, SCHEDULES, Rule
 from game.world.sand import parameters
 from game.world.sand.fixtures import DRAIN, TAP
-from game.world.sand.rule import FIELDS, SCHEDULES, Rule
 from game.world.sand.sand_colours import AMBER
 from game.world.sand.world import World, check_bools
 from game.world.scenes.cell_arrays import EMPTY, painted_cells, parted, resampled, told_guesses, written_cells
@@ -221,12 +221,14 @@ def _fixtures(table, scale):
 
 def _rule(table):
     """Return the Rule in the table [rule]: p and bias, or the toppling probabilities themselves; the rest as given."""
+    if "rule" in table:
+        raise table.error("rule", shown(table.values["rule"]), "no name: scenes play the rule of sand")
     table.allow(("p", "bias", *FIELDS))
     schedule = table.choice("schedule", tuple(SCHEDULES), Rule().schedule)
     if "p" in table or "bias" in table:
-        for topple in (parameters.TOPPLE_LEFT, parameters.TOPPLE_RIGHT):
-            if topple.name in table:
-                raise table.error(topple.name, "it beside p or bias", "only one of the two ways")
+        for topple in ("topple_left", "topple_right"):
+            if topple in table:
+                raise table.error(topple, "it beside p or bias", "only one of the two ways")
     p, bias = (table.number(each.name, each, each.default) for each in (parameters.P, parameters.BIAS))
-    given = {each.name: table.number(each.name, each) for each in parameters.PROBABILITIES if each.name in table}
+    given = {each.name: table.number(each.name, each) for each in PROBABILITIES if each.name in table}
     return replace(Rule.with_p(p, schedule, bias), **given)

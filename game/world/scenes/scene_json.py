@@ -12,8 +12,8 @@ import numpy as np
 from game.core.planes import DEPTH
 from game.world.files.checked_table import shown
 from game.world.looks.themes import WALL_LOOKS
+from game.world.rules.rule import FIELDS, PROBABILITIES, SCHEDULES, Rule
 from game.world.sand import parameters
-from game.world.sand.rule import FIELDS, SCHEDULES, Rule
 from game.world.scenes import hourglass_spec
 from game.world.scenes.fixture_tables import read_fixtures
 from game.world.scenes.scene import Scene, load_scene, scene_names
@@ -76,7 +76,7 @@ def decode(table, known):
 def decode_rule(table):
     """Return the Rule that a CheckedTable spells out in full."""
     table.allow(FIELDS)
-    numbers = {each.name: table.number(each.name, each) for each in parameters.PROBABILITIES}
+    numbers = {each.name: table.number(each.name, each) for each in PROBABILITIES}
     return Rule(**numbers, schedule=table.choice("schedule", tuple(SCHEDULES)))
 
 

@@ -9,10 +9,10 @@ import numpy as np
 from game.core.paint.ink import ANY, EMPTY, GRAIN, WALL, Ink
 from game.core.paint.primitives import ELLIPSE, RECTANGLE
 from game.core.paint.strokes import DIAMOND, ROUND, SQUARE
+from game.world.rules.rule import Rule
 from game.world.sand.erasing import is_in_figure, is_under_brush
 from game.world.sand.grain_account import NO_GRAINS
 from game.world.sand.patch import Patch, alike
-from game.world.sand.rule import Rule
 from game.world.sand.sand_colours import AMBER, DYES
 from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import pour

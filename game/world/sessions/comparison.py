@@ -3,8 +3,8 @@
 import time
 from dataclasses import replace
 
+from game.world.rules.rule import SCHEDULES
 from game.world.sand import parameters
-from game.world.sand.rule import SCHEDULES
 from game.world.sessions.action import Load, SetRule
 from game.world.sessions.session import Session
 

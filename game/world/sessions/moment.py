@@ -3,9 +3,9 @@
 import time
 from dataclasses import dataclass, replace
 
+from game.world.rules.rule import Rule
 from game.world.sand.advance import NO_TRAFFIC, advance
 from game.world.sand.grain_account import GrainAccount
-from game.world.sand.rule import Rule
 from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import scene_of
 from game.world.scenes.scene import Scene

@@ -7,7 +7,6 @@ import numpy as np
 
 from game.core.chance import threshold
 from game.core.planes import SAND, WALLS
-from game.world.sand import parameters
 from game.world.sand.advance import advance
 from game.world.sand.ensemble import Cancelled
 from game.world.sand.fixtures import TAP
@@ -86,7 +85,7 @@ def first_moment(lookahead, end, reached):
 
 def at_rest(world, rule):
     """Return whether nothing can move any more under `rule`: neither now nor by any chance it leaves."""
-    eager = replace(rule, **{each.name: _possible(getattr(rule, each.name)) for each in parameters.PROBABILITIES})
+    eager = rule.with_chances(**{name: _possible(p) for name, p in rule.chances.items()})
     trial = world.copy()
     trial.fixtures = tuple(replace(each, every=1) for each in world.fixtures)
     advance(trial, eager, len(rule.offsets))

@@ -8,7 +8,7 @@ import pytest
 from game.core.compiler.circuit import FALSE, TRUE, Circuit
 from game.core.compiler.cover import Covers
 from game.core.compiler.plan import kinds_of, plan
-from game.world.sand.sand_table import SAND_TABLE
+from game.world.rules.rule import SAND
 
 
 def yields(circuit, literal):
@@ -67,6 +67,6 @@ def test_a_cover_is_true_where_wanted_and_false_where_not(bits):
 
 
 def test_certain_sand_takes_no_more_than_nineteen_gates():
-    gates = plan(SAND_TABLE, kinds_of(SAND_TABLE, (1.0,) * 7))
+    gates = plan(SAND.table, kinds_of(SAND.table, (1.0,) * 7))
     layer = gates.layers[0]
     assert len(gates.circuit.cone([layer.event, *layer.sure, *layer.deltas[0].values()])) <= 19

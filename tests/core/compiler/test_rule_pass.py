@@ -7,9 +7,8 @@ from game.core import planes as bit_planes
 from game.core.compiler import machine_code, rule_pass
 from game.core.compiler.rule_pass import pass_of
 from game.core.step import advance_planes
+from game.world.rules.rule import SAND, SCHEDULES
 from game.world.sand.active_bands import ActiveBands
-from game.world.sand.rule import SCHEDULES
-from game.world.sand.sand_table import SAND_TABLE
 from tests.core.compiler import plain
 from tests.core.compiler.rules import random_table
 
@@ -84,10 +83,10 @@ def test_what_disagrees_with_its_table_is_tried_a_word_at_a_time_and_else_refuse
         return lanes == 1
 
     monkeypatch.setattr(rule_pass.self_check, "agrees", agrees)
-    assert pass_of(SAND_TABLE, (0.5,) * 7, 5).lanes == 1 and asked[-1] == 1
+    assert pass_of(SAND.table, (0.5,) * 7, 5).lanes == 1 and asked[-1] == 1
     monkeypatch.setattr(rule_pass.self_check, "agrees", lambda *told: False)
     with pytest.raises(RuntimeError, match="otherwise than its table says"):
-        pass_of(SAND_TABLE, (0.5,) * 7, 6)
+        pass_of(SAND.table, (0.5,) * 7, 6)
 
 
 @pytest.mark.parametrize("schedule", SCHEDULES)

@@ -10,8 +10,8 @@ from game import Rule, World, advance
 from game.core.compiler.rule_pass import pass_of
 from game.core.ensemble import runs as core
 from game.core.ensemble.runs import advance_replicas, count_replicas, read_states
-from game.world.sand.rule import SCHEDULES
-from game.world.sand.sand_table import SAND, SAND_TABLE, WALL
+from game.world.rules.rule import SCHEDULES
+from game.world.sand.sand_codes import SAND, WALL
 from tests import reference
 from tests.cells import NAMES, random_world, world_of
 
@@ -21,14 +21,14 @@ SEVEN = Rule(0.9, 0.2, 0.7, 0.55, 0.35, 0.618, 0.15, "balanced")
 
 def replicate(sand, walls, seed, first, runs, lanes=None):
     """Return `runs` replicas, their words a multiple of what a pass takes at a time."""
-    moving = pass_of(SAND_TABLE, SEVEN.probabilities, most_lanes=lanes)
+    moving = pass_of(SEVEN.table, SEVEN.values, most_lanes=lanes)
     return core.replicate(sand * np.uint8(SAND) + walls * np.uint8(WALL), moving, seed, first, runs)
 
 
 def run(group, rule, iterations, start=0, budget=10**9, lanes=None):
     """Move a group in place."""
     offsets = np.roll(np.array(rule.offsets), -start, axis=0)
-    moving = pass_of(SAND_TABLE, rule.probabilities, most_lanes=lanes)
+    moving = pass_of(rule.table, rule.values, most_lanes=lanes)
     done = row = 0
     while done < iterations:
         told = (moving.code.address, moving.chances), offsets, np.uint64(start), iterations

@@ -10,8 +10,8 @@ import pytest
 from game.play.controls import fast_forward
 from game.play.controls.fast_forward import MOST_TOGETHER
 from game.play.timer import run_out_planner
+from game.world.rules.rule import Rule
 from game.world.sand.neck import find_neck
-from game.world.sand.rule import Rule
 from game.world.scenes.hourglass_maker import scene_of
 from game.world.sessions.action import Flip, SetRule
 from game.world.sessions.run_out import Cancelled, at_rest, find_run_out

@@ -13,8 +13,8 @@ from game.play.timer.timer import OFF, OVER, PATIENCE_S, RUNNING, SHARE, Pace, T
 from game.play.ui.sliders import HANDLE
 from game.play.view.notices import Notices
 from game.play.window.audio import RATE
+from game.world.rules.rule import Rule
 from game.world.sand.duration import spell
-from game.world.sand.rule import Rule
 from game.world.scenes.hourglass_maker import scene_of
 from game.world.sessions.action import Load, Paint, SetRule
 from game.world.sessions.run_out import RunOut

@@ -5,6 +5,7 @@ import pygame
 from game.play.ui.sliders import HANDLE
 from game.play.ui.theme import Theme
 from game.play.ui.widgets import Ui
+from game.world.rules.rule import PROBABILITIES
 from game.world.sand import parameters
 
 SCENES = ["Hourglass", "Avalanche", "Rain", "Funnel", *(f"Scene {i}" for i in range(30))]
@@ -42,7 +43,7 @@ class Panel:
         self.over = ui.toggle("Over walls", self.over)
         self.folded_out = ui.fold("More", self.folded_out)
         if self.folded_out:
-            self.fall_pair = ui.slider_with_picture("Pair", parameters.FALL_PAIR, self.fall_pair, "oo..", "..oo")
+            self.fall_pair = ui.slider_with_picture("Pair", PROBABILITIES[2], self.fall_pair, "oo..", "..oo")
             ui.text("One paragraph of several words that has to be wrapped to fit the narrow column.", dim=True)
         ui.row(3)
         for name in ("Save", "Load", "Help"):

@@ -10,7 +10,7 @@ from game.study.exact import markov_chain
 from game.study.exact.lattices import LATTICES
 from game.study.exact.markov_chain import EVENTS, SCHEDULES, explore
 from game.study.exact.trials import PROBABILITIES
-from game.world.sand import parameters, rule
+from game.world.rules import rule
 from tests import reference
 
 HALF = (0.5,) * 2 + (1.0,) * 5
@@ -29,7 +29,7 @@ def state_of(rows):
 
 
 def test_the_kinds_are_the_rules_probabilities_in_order():
-    assert tuple(each.name for each in parameters.PROBABILITIES) == markov_chain.KINDS
+    assert tuple(each.name for each in rule.PROBABILITIES) == markov_chain.KINDS
 
 
 def test_the_schedules_are_the_rules():

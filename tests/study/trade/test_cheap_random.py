@@ -6,7 +6,7 @@ import pytest
 from game import Rule, density, load_scene
 from game.study.trade.cheap_random import FRESH, FROZEN, LATTICE, ROW, SOURCES, run_cheaply
 from game.study.trade.points import floor_of, point
-from game.world.sand.rule import SCHEDULES
+from game.world.rules.rule import SCHEDULES
 
 RUNS = 600
 ONE_ROUND = ((0, 0),)

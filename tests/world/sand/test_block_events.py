@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from game import Rule, advance
+from game.world.rules.rule import SCHEDULES
 from game.world.sand.block_events import MOVES, coming_events, happened, offset
 from game.world.sand.crop import CropBox
-from game.world.sand.rule import SCHEDULES
 from tests import reference
 from tests.cells import NAMES, random_world, rows_of
 

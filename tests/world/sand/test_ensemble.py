@@ -7,10 +7,10 @@ import numpy as np
 import pytest
 
 from game import Rule, World, advance, density
+from game.world.rules.rule import SCHEDULES
 from game.world.sand import ensemble as forecast
 from game.world.sand.ensemble import Cancelled, counts_at, states_at
 from game.world.sand.fixtures import Fixture
-from game.world.sand.rule import SCHEDULES
 from tests.cells import random_world, world_of
 
 SEVEN = Rule(0.9, 0.2, 0.7, 0.55, 0.35, 0.618, 0.15, "balanced")

@@ -5,7 +5,7 @@ import pytest
 
 from game import Rule, World, advance
 from game.core.planes import PLANES
-from game.world.sand.rule import SCHEDULES
+from game.world.rules.rule import SCHEDULES
 from game.world.sessions.action import Paint, apply
 from tests import reference
 from tests.cells import NAMES, random_world, rows_of

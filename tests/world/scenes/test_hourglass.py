@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from game.world.rules.rule import SCHEDULES, Rule
 from game.world.sand.advance import advance
-from game.world.sand.rule import SCHEDULES, Rule
 from game.world.sand.world import World
 from game.world.scenes.hourglass import hourglass
 

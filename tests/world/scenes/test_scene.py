@@ -11,9 +11,9 @@ from PIL import Image
 
 from game.world.files import checked_table
 from game.world.files.paths import asset
+from game.world.rules.rule import Rule
 from game.world.sand.advance import advance
 from game.world.sand.fixtures import MOST
-from game.world.sand.rule import Rule
 from game.world.scenes.cell_arrays import COLOURS
 from game.world.scenes.scene import SceneError, load_scene, scene_names, scene_title
 
@@ -271,6 +271,7 @@ PICTURE = "a PNG, GIF, BMP, JPEG, WEBP of at most 67108864 pixels and 16384 a si
         (f"{SIZE}title = 3", "title: found 3, wanted one line of text, at most 200 characters"),
         (f'{SIZE}title = "a\\nb"', "title: found 'a\\nb', wanted one line of text, at most 200 characters"),
         (f"{SIZE}rule = 3", "rule: found 3, wanted a table [rule]"),
+        (f"{SIZE}[rule]\nrule = 'alchemy'", "rule.rule: found 'alchemy', wanted no name: scenes play the rule of sand"),
         (f"{SIZE}[rule]\np = 1.5", "rule.p: found 1.5, wanted in [0, 1]"),
         (f"{SIZE}[rule]\nbias = -2", "rule.bias: found -2, wanted in [-1, 1]"),
         (f"{SIZE}[rule]\nfall_pair = -inf", "rule.fall_pair: found -inf, wanted in [0, 1]"),

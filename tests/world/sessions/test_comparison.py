@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from game import Rule, advance, load_scene
-from game.world.sand.rule import SCHEDULES
+from game.world.rules.rule import SCHEDULES
 from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule, apply
 from game.world.sessions.comparison import Comparison, present
 from game.world.sessions.session import BUDGET_NS, Session

@@ -9,7 +9,7 @@ import time
 
 import pytest
 
-from game.world.sand.rule import Rule
+from game.world.rules.rule import Rule
 from game.world.sessions import journal as journals
 from game.world.sessions.action import Clear, Flip, Paint, SetRule
 from game.world.sessions.journal import Journal, JournalError, finish, prune, unfinished
