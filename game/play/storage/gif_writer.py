@@ -32,13 +32,19 @@ class GifWriter:
             self._next = pixels
         self._next_ms += ms
 
-    def close(self):
-        """Write the end, put the file in its place and return that."""
+    def close(self, replace=False):
+        """Write the end, put the file in its place and return that.
+
+        replace: the place is the first of its names, whatever is there.
+        """
         if self._next is not None:
             self._write_next()
         with self._named():
             self._part.file.write(TRAILER)
-            return self._part.put_as_new(self._name_of)
+            if not replace:
+                return self._part.put_as_new(self._name_of)
+            self._part.put(self._name_of(1))
+            return self._name_of(1)
 
     def drop(self):
         """Remove the temporary file."""

@@ -23,8 +23,9 @@ from game.world.files.settings import Settings
 from game.world.sand import parameters
 from game.world.sand.advance import advance
 from game.world.scenes.scene import load_scene
+from game.world.sessions.session import FRAMES_PER_SECOND
 
-FRAME_NS = 10**9 // loop.FRAMES_PER_SECOND
+FRAME_NS = 10**9 // FRAMES_PER_SECOND
 WARM_UP = 5  # frames before the count: the first ones draw everything and fill caches of rendered text
 STAGES = {  # what each stage is made of; the rest of a frame is "other"
     "stepping": lambda app: [(app.parts.sessions.now, "frame")],
@@ -61,7 +62,7 @@ def frames(scene, window_size, iterations, count, smooth=True, p=None, shown=(),
         act()
     app = App(window, scene, p=p)
     app.parts.settings["smooth_streams"] = smooth
-    app.parts.sessions.now.clock.speed = iterations * loop.FRAMES_PER_SECOND
+    app.parts.sessions.now.clock.speed = iterations * FRAMES_PER_SECOND
     for name in shown:
         app.parts.commands.give(SHOWN[name])
     spent = Counter()

@@ -82,12 +82,11 @@ def make(path):
     """Write the portrait to a GIF; raise FileError where that fails."""
     film = list(frames())
     colours = np.unique(np.concatenate([np.unique(pixels) for pixels, _ in film]))
-    gif = GifWriter(
-        path, np.stack([colours >> 16 & 255, colours >> 8 & 255, colours & 255], axis=-1).astype(np.uint8).tobytes()
-    )
+    palette = np.stack([colours >> 16 & 255, colours >> 8 & 255, colours & 255], axis=-1).astype(np.uint8)
+    gif = GifWriter(lambda number: path, palette.tobytes())
     for pixels, ms in film:
         gif.add(np.searchsorted(colours, pixels).astype(np.uint8), ms)
-    gif.close()
+    gif.close(replace=True)
     return len(film), len(colours)
 
 

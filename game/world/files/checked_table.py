@@ -4,6 +4,7 @@ import difflib
 import math
 import re
 import tomllib
+import unicodedata
 
 from game.world.files.atomic import FileError, printable
 from game.world.files.toml_text import parse_toml
@@ -61,11 +62,7 @@ class CheckedTable:
         wanted = f"one line of text, at most {LONGEST_LINE} characters"
         value = self.values[key] if key in self.values else as_line(default)
         if not isinstance(value, str) or not value.isprintable() or len(value) > LONGEST_LINE:
-            hidden = next((sign for sign in value if not sign.isprintable()), None) if isinstance(value, str) else None
-            found = (
-                shown(value) if hidden is None else f"U+{ord(hidden):04X}, a sign that nobody sees, in {shown(value)}"
-            )
-            raise self.error(key, found, wanted)
+            raise self.error(key, _hidden_in(value) + shown(value), wanted)
         return value
 
     def choice(self, key, options, default=None):
@@ -170,3 +167,10 @@ def read_text(path, largest):
     except UnicodeDecodeError as error:
         line = raw[: error.start].count(b"\n") + 1
         raise TableError(path, f"line {line}", f"the byte 0x{raw[error.start]:02x}", wanted) from None
+
+
+def _hidden_in(value):
+    """Return words for the first invisible character in a text, but for those that `shown` escapes; or ""."""
+    unseen = [sign for sign in value if not sign.isprintable()] if isinstance(value, str) else []
+    hidden = next((sign for sign in unseen if unicodedata.category(sign) != "Cc"), None)
+    return "" if hidden is None else f"the invisible character U+{ord(hidden):04X} in "

@@ -261,14 +261,14 @@ def test_a_plan_for_which_there_was_no_memory_is_made_later(watcher, monkeypatch
         watcher.parts.planner.ask()
         watcher.settle()
         assert (watcher.parts.planner.newest is not None) == newest
-    assert "not enough memory" in watcher.parts.notices.text
+    assert "Not enough memory" in watcher.parts.notices.text
 
 
 def test_an_iteration_for_which_there_was_no_memory_lets_time_go_on(watcher, monkeypatch):
     without_memory_once(monkeypatch, fast_forward, "first_moment")
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher, frames=50)
-    assert "not enough memory" in watcher.parts.notices.text
+    assert "Not enough memory" in watcher.parts.notices.text
 
 
 def test_a_plan_for_what_is_no_longer_so_is_given_up(watcher, monkeypatch):

@@ -39,7 +39,7 @@ def test_hints_seen_are_remembered_at_the_next_start():
 
 
 def test_who_knows_is_not_told(glass):
-    glass.click(glass.pixel(90, 60))
+    glass.click(glass.pixel(110, 170))
     glass.key(pygame.K_f)
     glass.click(glass.control("p", 0.3))
     assert said(glass, 120) == []

@@ -64,7 +64,8 @@ from game.play.loop import run
 from game.world.background.compile_worker import StepThread
 
 class ShortGame:
-    running = True
+    running = at_rest = True
+    parts = property(lambda self: self)
     def frame(self, *_):
         self.running = False
 
