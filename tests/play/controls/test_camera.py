@@ -42,6 +42,7 @@ def shown(player):
 def is_fresh(player):
     """Return whether what is on the stage is what would be drawn there from nothing."""
     player.pointer = None
+    player.frame(elapsed_ns=0)  # the tool's outline goes with the pointer
     while any(each.shown for each in player.parts.overlays):
         player.now_s += 60  # what is said goes away
         player.wait(1)

@@ -1,5 +1,6 @@
 """Laws of the gallery: every scene runs in it, can be opened by pointer and by keyboard, and no frame waits for one."""
 
+import threading
 import time
 
 import numpy as np
@@ -142,10 +143,14 @@ def test_a_frame_of_the_gallery_keeps_its_budget(player):
 
 
 def test_no_world_is_made_for_a_gallery_whose_window_was_closed(player):
+    before = set(threading.enumerate())
     player.key(pygame.K_F2)
     player.frame(pygame.event.Event(pygame.QUIT))
     player.parts.close()
-    assert len(player.parts.gallery.shelf._lives) < len(scene_names()) and not player.parts.background.busy
+    for each in set(threading.enumerate()) - before:
+        each.join(timeout=60)  # what reads is left alone, and ends by itself
+    assert set(threading.enumerate()) <= before, "and nothing was begun after it"
+    assert len(player.parts.gallery.shelf._lives) < len(scene_names())
 
 
 def test_what_is_said_of_an_empty_shelf_is_all_there_in_a_small_window(player):
