@@ -6,6 +6,7 @@ import sys
 import threading
 from contextlib import contextmanager, suppress
 
+LONGEST_S = 2.0  # until a process ends that was asked to, whatever it is at
 ASKING = "SIGINT", "SIGTERM", "SIGHUP", "SIGBREAK"  # Ctrl+C, kill, a terminal that is closed, Ctrl+Break on Windows
 
 
@@ -128,12 +129,18 @@ def _listening():
 
 
 def _hear(number, frame):
-    """Raise EndedError for the first signal, unless it is only to be noted; end at once where it comes again."""
+    """Raise EndedError for the first signal, unless it is only to be noted; end at once where it comes again.
+
+    Some libraries catch whatever is raised while they are imported or compile: the process ends all the same.
+    """
     again, _Ending.asked = _Ending.asked is not None, _Ending.asked or number
     if _Ending.noted:
         return
     if again:
         os._exit(128 + _Ending.asked)
+    last = threading.Timer(LONGEST_S, os._exit, [128 + _Ending.asked])
+    last.daemon = True
+    last.start()
     raise EndedError
 
 

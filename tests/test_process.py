@@ -111,6 +111,18 @@ def test_a_signal_that_is_ignored_stays_ignored():
     assert done.stdout == "7\n"
 
 
+def test_a_signal_that_a_library_swallows_ends_all_the_same():
+    script = (
+        "import os, signal, time; from game import process\n"
+        "def work():\n"
+        "    try:\n        os.kill(os.getpid(), signal.SIGTERM); time.sleep(60)\n"
+        "    except BaseException:\n        time.sleep(60)\n"
+        "process.run(work)"
+    )
+    done = subprocess.run([sys.executable, "-c", script], cwd=ROOT, capture_output=True, check=False, timeout=40)
+    assert (done.returncode, done.stderr) == (143, b"")
+
+
 def test_a_signal_in_a_finalizer_ends_all_the_same():
     script = (
         "import os, signal, time; from game import process\n"
