@@ -109,7 +109,7 @@ class App:
             display.page,
             session,
             self.parts.frame_step.passing(now_s),
-            self._marks(display.stage.view),
+            self._marks(display.sand_view.view),
             tuple(each for each in self.parts.overlays if each.shown),
             strips,
             self.parts.plots,
@@ -134,11 +134,11 @@ class App:
 
     def _fit(self):
         """Lay everything out, after the window or the lattice changed its size or what it looks like."""
-        display, before, view = self.parts.display, self.parts.display.stage, self.parts.display.stage.view
+        display, before, view = self.parts.display, self.parts.display.sand_view, self.parts.display.sand_view.view
         if not display.fit(self.parts.sessions.now):
             return
         self._anew = True
-        self.parts.camera.keep(view if display.stage is before else None)
+        self.parts.camera.keep(view if display.sand_view is before else None)
         self.parts.time_bar.place(display.layout.bar, display.theme)
         self.parts.renderer.forget()
         self.parts.plots.forget()

@@ -50,7 +50,7 @@ class FrameStep:
         return now_s - self._way_since_s < LONG_WAY_S
 
     def _run(self, elapsed_ns, now_s):
-        session, view = self._sessions.now, self._display.stage
+        session, view = self._sessions.now, self._display.sand_view
         session.timeline.rewinding = self._rewind.held
         if self._time_bar.held or self._rewind.held:
             if view.turn:

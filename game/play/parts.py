@@ -167,7 +167,7 @@ class Parts:
             self.keys.any_down or self.brush.painting or self.time_bar.held,
             self.timer.state == RUNNING or self.fast_forward.words,
             self.recorder.said or self.forecasting.thread.working,
-            self.display.stage.turn or self.gallery.shown,
+            self.display.sand_view.turn or self.gallery.shown,
             self.glow.shown or self.camera.badge.shown or self.notices.line,
         )
         return not any(goes_on)

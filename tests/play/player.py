@@ -84,7 +84,7 @@ class Player:
 
     def pixel(self, column, row):
         """Return the pixel in the middle of a cell."""
-        x, y = self.parts.display.stage.view.pixel(column + 0.5, row + 0.5)
+        x, y = self.parts.display.sand_view.view.pixel(column + 0.5, row + 0.5)
         return int(x), int(y)
 
     def unfold(self, name):

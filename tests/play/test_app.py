@@ -241,7 +241,7 @@ def test_resizing_the_window_does_not_touch_the_sand(glass):
     for size in ((640, 480), (1600, 900), (701, 533)):
         pygame.display.set_mode(size, pygame.RESIZABLE, 32)
         glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-        view = glass.parts.display.stage.view
+        view = glass.parts.display.sand_view.view
         assert view.left >= 0 and view.top >= 0
         area = glass.parts.display.layout.sand
         assert view.left + view.width <= area.right and view.top + view.height <= area.bottom
@@ -306,7 +306,7 @@ def test_nothing_of_the_outline_stays_behind(glass):
     glass.session.paused, glass.pointer = True, None
     glass.frame()
     shown = pygame.surfarray.array2d(glass.parts.window.surface)
-    glass.parts.display.stage.refresh()
+    glass.parts.display.sand_view.refresh()
     glass.frame()
     fresh = pygame.surfarray.array2d(glass.parts.window.surface)
     area = glass.parts.display.layout.sand

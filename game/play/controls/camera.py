@@ -11,9 +11,9 @@ from game.world.sessions.session import SEEK_NS
 
 LEFT, MIDDLE = 1, 2
 CTRL_KEYS = pygame.K_LCTRL, pygame.K_RCTRL, pygame.K_LMETA, pygame.K_RMETA
-FEWEST_CELLS = 6  # across the shorter side of the stage, at the largest zoom, but for
-LARGEST_CELL = 64  # pixels: no stage is too small for this
-PAN = 1 / 8  # of the stage, by one press of a key
+FEWEST_CELLS = 6  # across the shorter side of the sand view, at the largest zoom, but for
+LARGEST_CELL = 64  # pixels: no sand view is too small for this
+PAN = 1 / 8  # of the sand view, by one press of a key
 MISTAKE_S = 0.7  # a finger that has painted for less than this meant to be one of two
 
 
@@ -36,41 +36,41 @@ class Camera:
     # --- what the keys ask of it ---
 
     def zoom(self, steps):
-        """Go `steps` levels closer, or away, about the pointer or the middle of the stage."""
-        view = self._stage.view
-        x, y = self._pointer.place or self._stage.area.center
+        """Go `steps` levels closer, or away, about the pointer or the middle of the sand view."""
+        view = self._sand_view.view
+        x, y = self._pointer.place or self._sand_view.area.center
         self._show(level(view.cell, steps), view.place(x, y), x, y)
 
     def zoom_to(self, cell):
-        """Show cells `cell` pixels wide, with what is in the middle of the stage where it is."""
-        x, y = self._stage.area.center
-        self._show(cell, self._stage.view.place(x, y), x, y)
+        """Show cells `cell` pixels wide, with what is in the middle of the sand view where it is."""
+        x, y = self._sand_view.area.center
+        self._show(cell, self._sand_view.view.place(x, y), x, y)
 
     def fit(self):
         """Show the whole lattice."""
-        self._stage.show(self._stage.whole)
+        self._sand_view.show(self._sand_view.whole)
         self.badge.show()
 
     def pan(self, right, down):
-        """Move on over the lattice by parts of the stage."""
-        area = self._stage.area
+        """Move on over the lattice by parts of the sand view."""
+        area = self._sand_view.area
         self._shift(-right * PAN * area.width, -down * PAN * area.height)
 
     # --- what the toy tells it ---
 
     def keep(self, before):
-        """After the stage was laid out anew, show what the view `before` showed, if that was not the whole."""
-        stage = self._stage
-        if before is None or before.frame is None or before.shape != stage.whole.shape:
+        """After a new layout, show what the view `before` showed, if that was not the whole."""
+        sand_view = self._sand_view
+        if before is None or before.frame is None or before.shape != sand_view.whole.shape:
             return
         x, y, width, height = before.frame
         place = before.place(x + width / 2 - 0.5, y + height / 2 - 0.5)
-        area = stage.area
+        area = sand_view.area
         self._show(before.cell, place, area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
 
     def turn_over(self, quarters=2):
         """Follow the sand in sight as the lattice is turned over; a quarter turn shows all of it."""
-        view, area = self._stage.view, self._stage.area
+        view, area = self._sand_view.view, self._sand_view.area
         if view.frame is None:
             return
         if quarters != 2:
@@ -118,7 +118,7 @@ class Camera:
         if self._swallows and getattr(event, "touch", False):
             return True
         drags = event.button == MIDDLE or (event.button == LEFT and self._space is not None)
-        if self._drag or not drags or not self._stage.area.collidepoint(event.pos):
+        if self._drag or not drags or not self._sand_view.area.collidepoint(event.pos):
             return False
         self._drag = event.pos, event.button
         return True
@@ -165,7 +165,7 @@ class Camera:
         self._fingers[event.finger_id] = self._pixel_of(event)
         if len(self._fingers) == 1:
             self._since_s = self._display.now_s
-        elif len(self._fingers) == 2 and self._stage.area.collidepoint(self._middle):
+        elif len(self._fingers) == 2 and self._sand_view.area.collidepoint(self._middle):
             self._take_back_stroke()
             self._swallows = True
             self._start_pinch()
@@ -190,13 +190,13 @@ class Camera:
         return swallowed
 
     def _start_pinch(self):
-        view = self._stage.view
+        view = self._sand_view.view
         self._pinch = view.cell, view.place(*self._middle), self._span
 
     def _end_pinch(self):
         """Let cells that are wider than a pixel be whole pixels wide again."""
         self._pinch = None
-        view, (x, y) = self._stage.view, self._stage.area.center
+        view, (x, y) = self._sand_view.view, self._sand_view.area.center
         if view.frame and view.cell > 1:
             self._show(round(view.cell), view.place(x, y), x, y)
 
@@ -224,25 +224,25 @@ class Camera:
     # --- the view ---
 
     @property
-    def _stage(self):
-        return self._display.stage
+    def _sand_view(self):
+        return self._display.sand_view
 
     def _shift(self, right, down):
         """Drag the lattice by pixels."""
-        view, area = self._stage.view, self._stage.area
+        view, area = self._sand_view.view, self._sand_view.area
         if view.frame is not None:
             x, y = area.center
             self._show(view.cell, view.place(x, y), x + right, y + down)
 
     def _show(self, cell, place, x, y):
         """Show a place at pixel (x, y), with `cell` pixels to a cell, as far as the limits allow."""
-        stage = self._stage
+        sand_view = self._sand_view
         self.badge.show()
-        most = max(LARGEST_CELL, min(stage.area.size) / FEWEST_CELLS)
+        most = max(LARGEST_CELL, min(sand_view.area.size) / FEWEST_CELLS)
         cell = min(cell, max(each for each in LEVELS if each <= most))
-        if cell <= stage.whole.cell:
-            view = stage.whole
+        if cell <= sand_view.whole.cell:
+            view = sand_view.whole
         else:
-            view = View.near(stage.whole.shape, tuple(stage.area), cell, place, x, y)
-        if view != stage.view:
-            stage.show(view)
+            view = View.near(sand_view.whole.shape, tuple(sand_view.area), cell, place, x, y)
+        if view != sand_view.view:
+            sand_view.show(view)

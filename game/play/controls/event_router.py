@@ -46,10 +46,10 @@ class EventRouter:
         """Give an event of the pointer to the brush or the time bar, whichever it is over or held by."""
         brush, layout, pressed = self._brush, self._display.layout, event.type == pygame.MOUSEBUTTONDOWN
         if brush.painting:
-            brush.handle_event(event, self._display.stage.view)
+            brush.handle_event(event, self._display.sand_view.view)
         elif self._time_bar.handle_event(event):
             brush.let_go()
         elif pressed and event.button == LEFT and layout.status_line.collidepoint(event.pos):
             self._stats_card.toggle()
         elif pressed and layout.sand.collidepoint(event.pos):
-            brush.handle_event(event, self._display.stage.view)
+            brush.handle_event(event, self._display.sand_view.view)

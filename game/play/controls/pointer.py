@@ -41,6 +41,6 @@ class Pointer:
 
     def _shift_at(self, pos):
         """Return the way from the leading pane to the one at `pos`, in pixels."""
-        view = self._display.stage
+        view = self._display.sand_view
         pane = next((pane for pane in view.panes if pane.collidepoint(pos)), view.area)
         return pane.x - view.area.x, pane.y - view.area.y

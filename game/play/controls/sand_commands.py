@@ -115,7 +115,7 @@ class SandCommands:
 
         Return whether it turned: not while it does so already.
         """
-        view = self._display.stage
+        view = self._display.sand_view
         if view.turn or not self._sessions.ready():
             return False
         self._brush.let_go()

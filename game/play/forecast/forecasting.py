@@ -51,7 +51,7 @@ class Forecasting:
     def close(self):
         """Request nothing more and take the forecast away; return when the thread has ended."""
         self.thread.close()
-        self.answer = self._requested = self._display.stage.heatmap = None
+        self.answer = self._requested = self._display.sand_view.heatmap = None
         self._display.refresh()
 
     def update(self, now_s):
@@ -65,8 +65,8 @@ class Forecasting:
         self.legend.update(self.answer, self.stale, now_s)
 
     def _subject(self):
-        session, stage = self._sessions.now, self._display.stage
-        view, area, shape = stage.view, stage.area, session.world.shape
+        session, sand_view = self._sessions.now, self._display.sand_view
+        view, area, shape = sand_view.view, sand_view.area, session.world.shape
         (left, top), (right, bottom) = view.place(area.left, area.top), view.place(area.right, area.bottom)
         sight = CropBox.within(shape, math.floor(top), math.floor(left), math.ceil(bottom), math.ceil(right))
         box, exact = forecast_box(shape, sight, self.ahead, MOST_CELLS)
@@ -96,5 +96,5 @@ class Forecasting:
             self.stale = now_s - self._current_s > STALE_S
         self.answer = answer
         if (self.answer, self.stale) != before:
-            self._display.stage.heatmap = answer and HeatmapOverlay(request.crop.box, answer.levels, self.stale)
+            self._display.sand_view.heatmap = answer and HeatmapOverlay(request.crop.box, answer.levels, self.stale)
             self._display.refresh()

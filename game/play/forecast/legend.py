@@ -72,7 +72,7 @@ class Legend:
         """Return what the forecast says of the cell under the pointer, or ""."""
         if self._pointer.place is None:
             return ""
-        column, row = self._display.stage.view.place(*self._pointer.place)
+        column, row = self._display.sand_view.view.place(*self._pointer.place)
         box = answer.request.crop.box
         x, y = int(column) - box.left, int(row) - box.top
         if not (0 <= y < box.height and 0 <= x < box.width):

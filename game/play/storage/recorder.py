@@ -58,7 +58,7 @@ class Recorder:
         world = shown.copy()
         streams = streams.copy(world) if streams and streams.follows(shown) else None
         most = LARGEST_PICTURE // max(world.shape)
-        scale = max(1, min(round(self._display.stage.view.cell), most))
+        scale = max(1, min(round(self._display.sand_view.view.cell), most))
         self._save_picture(partial(image_of_sand, world, scale, *self._looks(), streams))
 
     def _save_picture(self, draw):

@@ -47,10 +47,6 @@ class Glow:
         elif not self._settings["reduced_motion"]:
             self._display.refresh()
 
-    def handle_events(self, events, now_s, mouse_pos):
-        """Leave all events to others."""
-        return events
-
     def draw(self, surface, theme, area):
         """Draw the glow inside `area`; return the rects that it covers."""
         if self._settings["reduced_motion"]:

@@ -127,7 +127,7 @@ def _report(app, scene, played, iterations):
         "scene": scene.name,
         "cells": scene.shape[::-1],
         "window": app.parts.window.size,
-        "pixels_per_cell": app.parts.display.stage.view.cell,
+        "pixels_per_cell": app.parts.display.sand_view.view.cell,
         "driver": pygame.display.get_driver(),
         "frames": len(played),
         "iterations": iterations,

@@ -33,15 +33,15 @@ def frames():
     world = scene.world()
     _run_out(world, scene.rule)
     world.flip()
-    stage = Stage(scene)
+    sand_view = Stage(scene)
     while not world.activity.settled:
         for iterations in (ITERATIONS - SINGLY, *[1] * SINGLY):
             advance(world, scene.rule, iterations)
-            stage.streams.note(world)
-        yield stage.shown(world), FRAME_MS
-    yield stage.shown(world), REST_MS
+            sand_view.streams.note(world)
+        yield sand_view.shown(world), FRAME_MS
+    yield sand_view.shown(world), REST_MS
     for number in range(1, round(TURN_S * 1000 / FRAME_MS)):
-        yield stage.turned(number * FRAME_MS / 1000), FRAME_MS
+        yield sand_view.turned(number * FRAME_MS / 1000), FRAME_MS
 
 
 class Stage:

@@ -32,7 +32,7 @@ class BlockOverlay:
     def toggle(self):
         """Show the blocks, or hide them; if they cannot be seen now, say why."""
         self.on = not self.on
-        if self.on and self._display.stage.view.cell < LEAST_CELL:
+        if self.on and self._display.sand_view.view.cell < LEAST_CELL:
             words = "Zoom in to see the blocks: Ctrl+wheel, or Ctrl and +"
             self._notices.say(words, holds=lambda: self.on and not self.shown)
         elif self.on and not self._is_calm:
@@ -42,8 +42,8 @@ class BlockOverlay:
     @property
     def shown(self):
         """Whether they are to be drawn."""
-        stage = self._display.stage
-        return self.on and self._is_calm and stage.view.cell >= LEAST_CELL and not stage.turn
+        sand_view = self._display.sand_view
+        return self.on and self._is_calm and sand_view.view.cell >= LEAST_CELL and not sand_view.turn
 
     @property
     def _is_calm(self):
@@ -51,7 +51,7 @@ class BlockOverlay:
         return session.paused or session.clock.speed <= SLOW
 
     def prepare(self):
-        """Look at the blocks in sight, and have the stage drawn anew if they are not those that were drawn."""
+        """Look at the blocks in sight, and have the sand drawn anew if they are not those that were drawn."""
         known = self._present() if self.shown else None
         if known == self._known:
             return
@@ -60,13 +60,13 @@ class BlockOverlay:
             self._look(before, known)
         else:
             self.coming = self.trails = self.stays = None
-        self._display.stage.blocks = self if known else None
-        self._display.stage.refresh()
+        self._display.sand_view.blocks = self if known else None
+        self._display.sand_view.refresh()
 
     def draw(self, surface, theme, view):
         """Draw them over the cells in sight, as far as the surface's clip goes."""
         cell, clip = view.cell, surface.get_clip()
-        surface.set_clip(clip.clip(self._display.stage.area))
+        surface.set_clip(clip.clip(self._display.sand_view.area))
         _draw_lines(surface, view, offset(self._known[0], self._known[3]), theme)
         inks = tuple(theme.rgb(role) for role in (look.SUNKEN, look.DIM, look.BRIGHT_HANDLE))
         for events, sprite_of in ((self.trails, _trail), (self.stays, _stay), (self.coming, _arrow)):
@@ -77,9 +77,9 @@ class BlockOverlay:
         surface.set_clip(clip)
 
     def _present(self):
-        session, stage = self._sessions.now, self._display.stage
+        session, sand_view = self._sessions.now, self._display.sand_view
         world = session.world
-        return world, world.iteration, world.activity.stamp, session.rule, stage.view
+        return world, world.iteration, world.activity.stamp, session.rule, sand_view.view
 
     def _look(self, before, known):
         """Find what can happen, and if one iteration has passed since `before`, what has."""

@@ -52,7 +52,7 @@ class Display:
         self.window, self._settings, self._measured_row = window, settings, measured_row
         self.theme = look.Theme(settings["ui_scale"], self.colours)
         self.layout = None
-        self.stage: LatticeView = SandView(window)
+        self.sand_view: LatticeView = SandView(window)
         self.panel_shown = True
         self.plots_shown = self.legend_shown = self.figures_shown = False
         self.pages = ()  # what takes the place of everything else in the window while it is open
@@ -92,11 +92,11 @@ class Display:
         self.window.surface.fill(self.colours.ground)
         if session is not self._session:
             self._session = session
-            self.stage = self._stage_of(session)
-        self.stage.fit(shape, self.layout.sand, self.theme.px(MARGIN), self.theme, walls)
+            self.sand_view = self._sand_view_of(session)
+        self.sand_view.fit(shape, self.layout.sand, self.theme.px(MARGIN), self.theme, walls)
         return True
 
-    def _stage_of(self, session):
+    def _sand_view_of(self, session):
         if isinstance(session, Comparison):
             return ComparisonView(self.window, session, self._measured_row)
         return SandView(self.window)

@@ -56,23 +56,23 @@ class Renderer:
     def _draw_sand(self, frame):
         stale, self._display.stale = self._display.stale, False
         if stale:
-            self._display.stage.refresh()
+            self._display.sand_view.refresh()
         elif frame.passing:
             return []
         session, self._overlays = frame.session, frame.overlays
-        streams = None if self._display.stage.blocks else session.streams  # arrows point at the cells themselves
+        streams = None if self._display.sand_view.blocks else session.streams  # arrows point at the cells themselves
         if streams:
             streams.take_acts(session.world)
         if (streams is None) != self._plain:
             self._plain = streams is None
-            self._display.stage.refresh()
+            self._display.sand_view.refresh()
         overlay = self._lay_over if frame.overlays else None
-        return self._display.stage.draw(session.world, self._marks(frame), overlay, frame.now_s, streams)
+        return self._display.sand_view.draw(session.world, self._marks(frame), overlay, frame.now_s, streams)
 
     def _marks(self, frame):
         """Return the marks of the tilted table, of its fixtures and of the tools."""
-        view, session = self._display.stage.view, frame.session
-        if self._display.stage.turn:
+        view, session = self._display.sand_view.view, frame.session
+        if self._display.sand_view.turn:
             return ()
         fixtures = fixture_marks(session.world.fixtures, view, self._display.theme.px)
         return tilt_marks(session.rule.bias, view) + fixtures + frame.marks

@@ -31,7 +31,7 @@ class ZoomBadge:
 
     def drawing(self, theme, rect):
         """Return (strokes, what is left of `rect`): at its right the zoom level, and the lattice if it is not whole."""
-        view, left = self._display.stage.view, pygame.Rect(rect)
+        view, left = self._display.sand_view.view, pygame.Rect(rect)
         strokes = []
         if view.frame:
             strokes, left = _map(theme, view, left)

@@ -40,14 +40,14 @@ def shown(player):
 
 
 def is_fresh(player):
-    """Return whether what is on the stage is what would be drawn there from nothing."""
+    """Return whether what is on the sand view is what would be drawn there from nothing."""
     player.pointer = None
     player.frame(elapsed_ns=0)  # the tool's outline goes with the pointer
     while any(each.shown for each in player.parts.overlays):
         player.now_s += 60  # what is said goes away
         player.wait(1)
     before = shown(player)
-    player.parts.display.stage.refresh()
+    player.parts.display.sand_view.refresh()
     player.frame()
     return (before == shown(player)).all()
 
@@ -56,10 +56,10 @@ def test_the_cell_under_the_pointer_stays_there_as_the_wheel_zooms(still):
     pos = still.pixel(60, 45)
     for notches in (1, 1, 3, -1, 2, -2):
         wheel(still, notches, pos)
-        assert [int(part) for part in still.parts.display.stage.view.place(*pos)] == [60, 45]
-    assert still.parts.display.stage.view.cell == 10 and still.parts.brush.diameter == 6
+        assert [int(part) for part in still.parts.display.sand_view.view.place(*pos)] == [60, 45]
+    assert still.parts.display.sand_view.view.cell == 10 and still.parts.brush.diameter == 6
     still.key(pygame.K_0, "0")
-    assert still.parts.display.stage.view == still.parts.display.stage.whole
+    assert still.parts.display.sand_view.view == still.parts.display.sand_view.whole
 
 
 def test_sand_is_painted_on_the_cell_under_the_pointer_at_every_zoom(still):
@@ -68,7 +68,7 @@ def test_sand_is_painted_on_the_cell_under_the_pointer_at_every_zoom(still):
     for notches in (0, 2, 3, 4):
         wheel(still, notches, pos)
         for dx, dy in ((0, 0), (100, 30), (-200, -120)):
-            column, row = (int(part) for part in still.parts.display.stage.view.place(pos[0] + dx, pos[1] + dy))
+            column, row = (int(part) for part in still.parts.display.sand_view.view.place(pos[0] + dx, pos[1] + dy))
             still.click((pos[0] + dx, pos[1] + dy))
             assert still.world.sand[row, column]
     assert still.world.grains <= 12
@@ -78,9 +78,9 @@ def test_sand_is_painted_on_the_cell_under_the_pointer_at_every_zoom(still):
 def test_the_middle_button_drags_the_lattice_along(still):
     wheel(still, 4, still.pixel(60, 45))
     start = (300, 300)
-    place = still.parts.display.stage.view.place(*start)
+    place = still.parts.display.sand_view.view.place(*start)
     still.drag(start, (310, 305), (350, 280), button=2)
-    assert still.parts.display.stage.view.place(350, 280) == pytest.approx(place)
+    assert still.parts.display.sand_view.view.place(350, 280) == pytest.approx(place)
     assert still.world.grains == 0
 
 
@@ -88,10 +88,10 @@ def test_space_drags_or_else_pauses(player):
     wheel(player, 4, player.pixel(60, 45))
     player.press(pygame.K_SPACE, " ")
     assert not player.session.paused
-    place = player.parts.display.stage.view.place(300, 300)
+    place = player.parts.display.sand_view.view.place(300, 300)
     player.drag((300, 300), (330, 290))
     player.release(pygame.K_SPACE)
-    assert player.parts.display.stage.view.place(330, 290) == pytest.approx(place)
+    assert player.parts.display.sand_view.view.place(330, 290) == pytest.approx(place)
     assert not player.session.paused and player.world.grains == 0
     player.key(pygame.K_SPACE, " ")
     assert player.session.paused
@@ -100,24 +100,24 @@ def test_space_drags_or_else_pauses(player):
 def test_keys_zoom_and_look_around(still):
     for _ in range(4):
         still.key(pygame.K_PLUS, "+", pygame.KMOD_LCTRL)
-    view = still.parts.display.stage.view
+    view = still.parts.display.sand_view.view
     still.key(pygame.K_RIGHT, "", pygame.KMOD_LCTRL)
     still.key(pygame.K_DOWN, "", pygame.KMOD_LCTRL)
-    moved = still.parts.display.stage.view
+    moved = still.parts.display.sand_view.view
     assert moved.left < view.left and moved.top < view.top and moved.cell == view.cell
     still.key(pygame.K_MINUS, "-", pygame.KMOD_LCTRL)
-    assert still.parts.display.stage.view.cell < view.cell
+    assert still.parts.display.sand_view.view.cell < view.cell
 
 
 def test_what_was_in_the_middle_is_there_after_the_window_has_changed(still):
     wheel(still, 5, still.pixel(30, 40))
     for size in ((1200, 800), (900, 700)):
-        area = still.parts.display.stage.area
-        middle = still.parts.display.stage.view.place(area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
+        area = still.parts.display.sand_view.area
+        middle = still.parts.display.sand_view.view.place(area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
         pygame.display.set_mode(size, pygame.RESIZABLE, 32)
         still.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-        area = still.parts.display.stage.area
-        after = still.parts.display.stage.view.place(area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
+        area = still.parts.display.sand_view.area
+        after = still.parts.display.sand_view.view.place(area.x + area.width / 2 - 0.5, area.y + area.height / 2 - 0.5)
         assert after == pytest.approx(middle, abs=1.5)
 
 
@@ -125,14 +125,14 @@ def test_the_turned_glass_shows_the_same_sand_upside_down(glass):
     glass.hold_time()
     wheel(glass, 4, glass.pixel(100, 60))
     glass.wait(100)
-    view = glass.parts.display.stage.view
+    view = glass.parts.display.sand_view.view
     glass.key(pygame.K_f, "f")
     glass.now_s += 1e6
     glass.wait(2)
-    turned = glass.parts.display.stage.view
+    turned = glass.parts.display.sand_view.view
     x, y = 300, 300
     column, row = view.place(x, y)
-    area = glass.parts.display.stage.area
+    area = glass.parts.display.sand_view.area
     beyond = turned.place(area.x + area.right - 1 - x, area.y + area.bottom - 1 - y)
     assert beyond == pytest.approx((view.shape[1] - column, view.shape[0] - row), abs=1e-6)
     assert is_fresh(glass)
@@ -145,16 +145,16 @@ def test_two_fingers_zoom_and_take_back_what_one_has_painted(still):
     assert still.world.grains > 0
     finger(still, pygame.FINGERDOWN, 2, other)
     assert still.world.grains == 0
-    place, cell = still.parts.display.stage.view.place(350, 300), still.parts.display.stage.view.cell
+    place, cell = still.parts.display.sand_view.view.place(350, 300), still.parts.display.sand_view.view.cell
     finger(still, pygame.FINGERMOTION, 1, (200, 300))
     still.frame(pygame.event.Event(pygame.MOUSEMOTION, pos=(200, 300), rel=(0, 0), buttons=(1, 0, 0), touch=True))
     finger(still, pygame.FINGERMOTION, 2, (500, 300))
-    assert still.parts.display.stage.view.cell == pytest.approx(3 * cell)
-    assert still.parts.display.stage.view.place(350, 300) == pytest.approx(place)
+    assert still.parts.display.sand_view.view.cell == pytest.approx(3 * cell)
+    assert still.parts.display.sand_view.view.place(350, 300) == pytest.approx(place)
     finger(still, pygame.FINGERUP, 2, (500, 300))
     finger(still, pygame.FINGERUP, 1, (200, 300))
     still.frame(pygame.event.Event(pygame.MOUSEBUTTONUP, pos=(200, 300), button=1, touch=True))
-    assert still.world.grains == 0 and still.parts.display.stage.view.cell == round(3 * cell)
+    assert still.world.grains == 0 and still.parts.display.sand_view.view.cell == round(3 * cell)
     still.click(one)
     assert still.world.grains > 0
 
@@ -186,34 +186,34 @@ def test_a_pinch_undoes_a_stroke_that_has_just_begun_and_leaves_an_older_one(sti
 
 def test_a_third_finger_neither_zooms_nor_paints(still):
     pinch(still, 0.1)
-    view = still.parts.display.stage.view
+    view = still.parts.display.sand_view.view
     finger(still, pygame.FINGERDOWN, 3, (500, 500))
     for number, pos in ((3, (200, 200)), (1, (150, 420))):
         finger(still, pygame.FINGERMOTION, number, pos)
     still.frame(pygame.event.Event(pygame.MOUSEMOTION, pos=(150, 420), rel=(0, 0), buttons=(1, 0, 0), touch=True))
-    assert still.parts.display.stage.view == view and not still.world.grains
+    assert still.parts.display.sand_view.view == view and not still.world.grains
     finger(still, pygame.FINGERUP, 3, (200, 200))
     finger(still, pygame.FINGERMOTION, 2, (650, 300))
     wider = math.dist((150, 420), (650, 300)) / math.dist((150, 420), (400, 300))
-    assert still.parts.display.stage.view.cell == pytest.approx(wider * view.cell)
+    assert still.parts.display.sand_view.view.cell == pytest.approx(wider * view.cell)
 
 
 def test_the_wheel_stops_at_whole_pixels_up_to_the_largest_cell(still):
     cells = []
     for _ in range(40):
         wheel(still, 1, still.pixel(60, 45))
-        cells.append(still.parts.display.stage.view.cell)
+        cells.append(still.parts.display.sand_view.view.cell)
     assert all(cell == int(cell) for cell in cells) and cells == sorted(cells)
-    largest, area = cells[-1], still.parts.display.stage.area
+    largest, area = cells[-1], still.parts.display.sand_view.area
     assert cells[-2] == largest and min(area.size) / largest >= FEWEST_CELLS
 
 
 def test_a_pinch_ends_at_whole_pixels(still):
     pinch(still, 0.1)
     finger(still, pygame.FINGERMOTION, 2, (477, 300))
-    assert still.parts.display.stage.view.cell % 1
+    assert still.parts.display.sand_view.view.cell % 1
     finger(still, pygame.FINGERUP, 2, (477, 300))
-    assert still.parts.display.stage.view.cell % 1 == 0 < still.parts.display.stage.view.cell
+    assert still.parts.display.sand_view.view.cell % 1 == 0 < still.parts.display.sand_view.view.cell
 
 
 def test_the_world_does_not_know_who_looks():

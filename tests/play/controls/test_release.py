@@ -18,7 +18,7 @@ def brush(player):
 
 def lattice(player):
     player.parts.camera.zoom(4)
-    return pressed_at(player, player.parts.display.stage.area.center, button=2)
+    return pressed_at(player, player.parts.display.sand_view.area.center, button=2)
 
 
 def time_bar(player):
@@ -74,10 +74,15 @@ def test_what_a_button_holds_is_let_go_of_when_a_page_opens_or_the_panel_goes(gl
     let_go()
     glass.key(key)
     assert not holds(glass)
-    view, grains, rule, now = glass.parts.display.stage.view, glass.world.grains, glass.session.rule, glass.session.now
+    view, grains, rule, now = (
+        glass.parts.display.sand_view.view,
+        glass.world.grains,
+        glass.session.rule,
+        glass.session.now,
+    )
     glass.move((200, 200))
     glass.wait(10)
-    assert (glass.parts.display.stage.view, glass.world.grains, glass.session.rule) == (view, grains, rule)
+    assert (glass.parts.display.sand_view.view, glass.world.grains, glass.session.rule) == (view, grains, rule)
     assert 0 < glass.session.now - now < 100
     glass.click(glass.control("Pause"))
     assert glass.session.paused
@@ -109,7 +114,7 @@ def test_a_stroke_cut_off_in_one_pane_does_not_bind_the_next_to_it():
     player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
     player.wait(1)
     x, y = player.pixel(60, 190)
-    left = min(pane.x for pane in player.parts.display.stage.panes) - player.parts.display.stage.area.x
+    left = min(pane.x for pane in player.parts.display.sand_view.panes) - player.parts.display.sand_view.area.x
     player.button(pygame.MOUSEBUTTONDOWN, (x + left, y))
     lose_focus(player)
     player.key(pygame.K_c, "c")

@@ -300,7 +300,7 @@ def test_streams_stay_smooth_while_time_is_held_and_in_the_picture_of_the_sand(g
     glass.hold_time()
     glass.parts.display.refresh()
     glass.wait(1)
-    assert len(glass.parts.display.stage._painter._samples)
+    assert len(glass.parts.display.sand_view._painter._samples)
     images = []
     monkeypatch.setattr(glass.parts.recorder, "_save_picture", lambda draw: images.append(draw()))
     glass.key(pygame.K_F12, mod=SHIFT)

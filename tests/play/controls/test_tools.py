@@ -216,7 +216,7 @@ def test_a_finger_paints_as_the_mouse_does_and_not_twice(still):
     both(pygame.MOUSEBUTTONDOWN, pygame.FINGERDOWN, (10, 10))
     both(pygame.MOUSEMOTION, pygame.FINGERMOTION, (60, 40))
     both(pygame.MOUSEBUTTONUP, pygame.FINGERUP, (60, 40))
-    ends = [still.parts.display.stage.view.place(*still.pixel(*cell)) for cell in ((10, 10), (60, 40))]
+    ends = [still.parts.display.sand_view.view.place(*still.pixel(*cell)) for cell in ((10, 10), (60, 40))]
     assert [entry.what for entry in acts(still)] == [Paint("sand", *ends, 3)]
     assert still.session.account.painted == still.world.grains
 
@@ -231,7 +231,7 @@ def test_marks_of_a_gesture_leave_no_trace(still):
     still.pointer = None
     still.frame()
     shown = pygame.surfarray.array2d(still.parts.window.surface)
-    still.parts.display.stage.refresh()
+    still.parts.display.sand_view.refresh()
     still.frame()
     area = still.parts.display.layout.sand
     fresh = pygame.surfarray.array2d(still.parts.window.surface)
@@ -289,7 +289,7 @@ def test_quarter_turns_turn_the_table_and_back(glass):
     glass.session.paused = True
     before, (height, width) = glass.world.digest(), glass.world.shape
     glass.key(pygame.K_f, "F", pygame.KMOD_LSHIFT)
-    assert glass.world.shape == (width, height) and glass.parts.display.stage.view.shape == (width, height)
+    assert glass.world.shape == (width, height) and glass.parts.display.sand_view.view.shape == (width, height)
     glass.key(pygame.K_f, mod=pygame.KMOD_CTRL)
     assert glass.world.digest() == before
     for _ in range(4):
@@ -300,10 +300,10 @@ def test_quarter_turns_turn_the_table_and_back(glass):
 def test_a_turn_of_the_table_is_seen_to_go_round(glass):
     glass.session.paused = True
     glass.key(pygame.K_f, "F", pygame.KMOD_LSHIFT)
-    assert glass.parts.display.stage.turn and not glass.parts.display.stage.turn.over(glass.now_s)
+    assert glass.parts.display.sand_view.turn and not glass.parts.display.sand_view.turn.over(glass.now_s)
     glass.now_s += 1e6
     glass.wait(2)
-    assert glass.parts.display.stage.turn is None
+    assert glass.parts.display.sand_view.turn is None
 
 
 def test_q_and_e_tilt_the_table_in_steps_that_meet_at_0(still):

@@ -36,7 +36,7 @@ SHADE = 12  # of 255, by which air in a wall's shadow or a glass differs from ot
 
 
 def pixels_of(player):
-    """Return the stage's pixels as the player sees them, (h, w, 3)."""
+    """Return the sand's pixels as the player sees them, (h, w, 3)."""
     return pygame.surfarray.array3d(player.parts.window.surface).swapaxes(0, 1).astype(int)
 
 
@@ -129,11 +129,11 @@ def forecast_by(player, thread):
 
 
 def test_h_lays_over_the_sand_what_so_many_runs_say(paper):
-    answer, stage = see_forecast(paper), paper.parts.display.stage
-    heatmap, stage.heatmap = stage.heatmap, None
+    answer, sand_view = see_forecast(paper), paper.parts.display.sand_view
+    heatmap, sand_view.heatmap = sand_view.heatmap, None
     paper.parts.display.refresh()
     paper.frame(elapsed_ns=0)
-    bare, stage.heatmap = pixels_of(paper), heatmap
+    bare, sand_view.heatmap = pixels_of(paper), heatmap
     world, ahead = paper.world, paper.parts.forecasting.ahead
     expected = counts_at(world.sand, world.walls, Rule.with_p(0.5), [ahead], 10_000, world.seed, world.iteration)[0]
     assert (answer.counts == expected).all()
@@ -197,7 +197,11 @@ def test_the_forecast_of_flowing_sand_does_not_flicker(player, scripted):
     def seen():
         player.frame()
         forecasting = player.parts.forecasting
-        return bool(player.parts.display.stage.heatmap), forecasting.stale, forecasting.legend.lines[0] != "Forecast"
+        return (
+            bool(player.parts.display.sand_view.heatmap),
+            forecasting.stale,
+            forecasting.legend.lines[0] != "Forecast",
+        )
 
     player.parts.forecasting.ahead = 1000
     player.frame()
@@ -220,16 +224,16 @@ def test_a_forecast_that_answers_another_question_is_shown_as_stale(player, stuc
     player.hold_time()
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.parts.display.stage.heatmap.stale
+    assert not forecasting.stale and not player.parts.display.sand_view.heatmap.stale
     stuck.free.clear()
     forecasting.ahead += 1
     player.frame()
     assert not forecasting.stale  # it is about to be answered
     player.wait(int(STALE_S * 1e9 / FRAME_NS) + 2)
-    assert forecasting.stale and player.parts.display.stage.heatmap.stale
+    assert forecasting.stale and player.parts.display.sand_view.heatmap.stale
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.parts.display.stage.heatmap.stale
+    assert not forecasting.stale and not player.parts.display.sand_view.heatmap.stale
 
 
 @pytest.mark.parametrize("act", [SetRule(Rule.with_p(0.1)), Flip()])
@@ -277,18 +281,22 @@ def test_another_scene_has_no_forecast_of_the_one_before(player, stuck):
     stuck.free.clear()
     player.parts.sessions.load("paper")
     player.wait(2)
-    assert player.parts.display.stage.heatmap is None and player.parts.forecasting.answer is None
+    assert player.parts.display.sand_view.heatmap is None and player.parts.forecasting.answer is None
 
 
 def test_the_forecast_follows_the_view_in_and_out(paper):
     answer = see_forecast(paper)
     for cell in (30.0, 3.0, 0.4):
         view = View.near(
-            (61, 61), tuple(paper.parts.display.stage.area), cell, (30.5, 50.5), *paper.parts.display.stage.area.center
+            (61, 61),
+            tuple(paper.parts.display.sand_view.area),
+            cell,
+            (30.5, 50.5),
+            *paper.parts.display.sand_view.area.center,
         )
-        paper.parts.display.stage.show(view)
+        paper.parts.display.sand_view.show(view)
         paper.frame(elapsed_ns=0)
-        veil = paper.parts.display.stage.heatmap
+        veil = paper.parts.display.sand_view.heatmap
         pixels = np.zeros(paper.parts.window.size[::-1], np.uint32)
         veil.draw(pixels, view, [(0, pixels.shape[0])], rgb)
         _, laid = cover(rgb)
@@ -301,7 +309,7 @@ def test_the_forecast_follows_the_view_in_and_out(paper):
 
 def test_a_veil_drawn_span_by_span_is_the_veil_drawn_at_once(paper):
     see_forecast(paper)
-    veil, view = paper.parts.display.stage.heatmap, paper.parts.display.stage.view
+    veil, view = paper.parts.display.sand_view.heatmap, paper.parts.display.sand_view.view
     once = np.random.default_rng(92).integers(0, 2**24, paper.parts.window.size[::-1]).astype(np.uint32)
     by_spans = once.copy()
     veil.draw(once, view, [(0, once.shape[0])], rgb)

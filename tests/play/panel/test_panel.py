@@ -87,12 +87,12 @@ def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, s
     for command in ("sand.turn 1", "view.zoom 1", "files.show_scenes", "files.show_scenes", "view.toggle_help"):
         glass.parts.commands.give(command)
         glass.wait(2)
-        stage, layout, pixels = (
-            glass.parts.display.stage,
+        sand_view, layout, pixels = (
+            glass.parts.display.sand_view,
             glass.parts.display.layout,
             glass.parts.window.surface.get_rect(),
         )
-        left, top, right, bottom = stage.view.seen
+        left, top, right, bottom = sand_view.view.seen
         shown = (
             layout.panel,
             layout.sand,

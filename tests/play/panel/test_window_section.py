@@ -45,7 +45,7 @@ def test_reduced_motion_turns_the_glass_over_at_once():
     sand = glass.world.sand
     glass.hold_time()
     glass.key(pygame.K_f)
-    assert glass.parts.display.stage.turn is None
+    assert glass.parts.display.sand_view.turn is None
     assert (glass.world.sand == sand[::-1, ::-1]).all()
     glass.wait(1)
     assert not glass.frame(), "nothing is animated"

@@ -194,7 +194,7 @@ def test_a_flip_that_the_turning_table_leaves_out_starts_no_time(waiting):
     waiting.start(1)
     waiting.run_out()
     waiting.key(pygame.K_f, "F", pygame.KMOD_SHIFT)
-    assert waiting.parts.display.stage.turn
+    assert waiting.parts.display.sand_view.turn
     waiting.key(pygame.K_f, "f")
     assert waiting.timer.state == OVER
 

@@ -57,14 +57,14 @@ def test_what_is_drawn_piece_by_piece_is_what_is_drawn_at_once(close):
     close.pointer = None
     close.wait(100)
     before = shown(close)
-    close.parts.display.stage.refresh()
+    close.parts.display.sand_view.refresh()
     close.frame()
     assert (shown(close) == before).all()
 
 
 def test_a_step_leaves_trails_until_something_else_happens(close):
     close.key(pygame.K_b, "b")
-    view = close.parts.display.stage.view
+    view = close.parts.display.sand_view.view
     coming = coming_events(close.world, close.session.rule, part_in_sight(view))
     close.key(pygame.K_PERIOD, ".")
     blocks = close.parts.block_overlay

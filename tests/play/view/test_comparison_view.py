@@ -30,7 +30,7 @@ def shifts(view):
 def places_in(player, column, row):
     """Return the pixel of a cell in each pane."""
     x, y = player.pixel(column, row)
-    return [(x + dx, y + dy) for dx, dy in shifts(player.parts.display.stage)]
+    return [(x + dx, y + dy) for dx, dy in shifts(player.parts.display.sand_view)]
 
 
 def test_the_key_shows_the_present_sand_three_times_and_goes_back_to_where_it_was():
@@ -74,11 +74,11 @@ def test_each_pane_shows_its_own_world_and_what_is_left(three):
     three.wait(20)
     surface = pygame.surfarray.array3d(three.parts.window.surface)
     seen = []
-    for dx, dy in shifts(three.parts.display.stage):
-        left, top, right, bottom = three.parts.display.stage.view.seen
+    for dx, dy in shifts(three.parts.display.sand_view):
+        left, top, right, bottom = three.parts.display.sand_view.view.seen
         seen.append(surface[left + dx : right + dx, top + dy : bottom + dy])
     assert (seen[0] != seen[1]).any() and (seen[1] != seen[2]).any()
-    titles = three.parts.display.stage.titles()
+    titles = three.parts.display.sand_view.titles()
     for schedule, session in three.session.sessions.items():
         left = int(np.count_nonzero(session.world.sand[: session.scene.neck]))
         assert titles[schedule] == (schedule.capitalize(), f"{left:,} left above")
@@ -92,8 +92,8 @@ def test_name_and_count_of_a_title_lie_side_by_side_and_every_name_is_whole(thre
     words = draw_list.words
     monkeypatch.setattr(draw_list, "words", lambda *how: written.append(how) or words(*how))
     three.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
-    stage, theme = three.parts.display.stage, three.parts.display.theme
-    for schedule, title in stage._titles.items():
+    sand_view, theme = three.parts.display.sand_view, three.parts.display.theme
+    for schedule, title in sand_view._titles.items():
         (name, text, kind), (left, count, other) = [each[2:5] for each in written if title.contains(each[2])]
         assert text == schedule.capitalize() and name.x + theme.width(text, kind) <= name.right
         assert name.x + theme.width(text, kind) < left.right - theme.width(count, other)
@@ -105,7 +105,7 @@ def test_a_line_parts_zoomed_panes(three):
     three.hold_time()
     three.wait(3)
     surface, edge = three.parts.window.surface, three.parts.display.theme.rgb("edge")
-    for gap in three.parts.display.stage._gaps:
+    for gap in three.parts.display.sand_view._gaps:
         assert {
             tuple(surface.get_at((x, y))[:3]) for x in range(gap.left, gap.right) for y in range(gap.top, gap.bottom)
         } == {edge}

@@ -41,7 +41,7 @@ def check(player, show):
     player.wait(2)
     assert any(each.shown for each in player.parts.overlays)
     often = sand_of(player)
-    player.parts.display.stage.refresh()
+    player.parts.display.sand_view.refresh()
     player.wait(0)
     assert (often == sand_of(player)).all()
 
@@ -93,10 +93,10 @@ def test_nothing_that_tells_of_the_sand_lies_over_it(glass, size, scale, zoomed)
     glass.hold_time()
     glass.parts.forecasting.update = lambda now_s: None  # no other answer comes between the two pictures
     glass.wait(2)
-    left, top, right, bottom = glass.parts.display.stage.view.seen
+    left, top, right, bottom = glass.parts.display.sand_view.view.seen
     lattice = pygame.Rect(left, top, right - left, bottom - top)
     with_all = pygame.surfarray.array2d(glass.parts.window.surface.subsurface(lattice))
-    glass.parts.display.stage.refresh()
+    glass.parts.display.sand_view.refresh()
     glass.parts.window.surface.fill((9, 9, 9))
     strips = glass.app._frame(glass.now_s).strips
     glass.parts.renderer.forget()
