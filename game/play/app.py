@@ -18,13 +18,15 @@ class App:
         self.parts = Parts(window, scene, seed, settings or Settings(), self._switch)
         self._hears = None, True, window.fullscreen  # page, panel and screen of the last frame
         self._told_of_cache = False  # that kernels cannot be kept, or read
-        self._anew = False  # in this frame the whole window was laid out anew
+        self._seen = True  # somebody may see this frame, or has done something in it
+        self._anew = False  # the whole window was laid out anew, and has to be shown
         if p is not None:
             self.parts.sessions.do(SetRule(Rule.with_p(p, scene.rule.schedule)))
 
     def frame(self, events, elapsed_ns, now_s, mouse_pos=None):
         """Hear events, run the iterations due after `elapsed_ns`, draw what changed; return whether anything did."""
         start, worked = time.perf_counter_ns(), own_ns()
+        self._seen = bool(events) or not self.parts.window.hidden
         self.parts.display.now_s = now_s
         self.parts.sessions.begin_frame()
         self._fit()
@@ -34,18 +36,23 @@ class App:
         self.parts.frame_step.step(elapsed_ns, now_s)
         self._tell(now_s)
         self._fit()
-        changed = self.parts.renderer.draw(self._frame(now_s))
-        self.parts.window.show(None if self._anew else changed)
-        changed, self._anew = changed or self._anew, False
+        changed = self._show(now_s) if self._seen else False
         for each in self.parts.watchers:
             each.update(now_s)
         self._note(time.perf_counter_ns() - start, own_ns() - worked, now_s)
-        return bool(changed)
+        return changed
+
+    def _show(self, now_s):
+        """Bring the window up to date; return whether anything in it changed."""
+        changed, anew = self.parts.renderer.draw(self._frame(now_s)), self._anew
+        self.parts.window.show(None if anew else changed)
+        self._anew = False
+        return bool(changed or anew)
 
     def _hear(self, events, now_s, mouse_pos):
         """Give events to what lies on top first, then to the cursor, the panel, the keys and the sand."""
         left = self.parts.cursor.handle_events(self._left_by_cards(events, now_s, mouse_pos))
-        if self.parts.display.panel_shown and not self.parts.display.page:
+        if self._seen and self.parts.display.panel_shown and not self.parts.display.page:
             left = self.parts.panel.lay_out(left, now_s, mouse_pos)
         for event in left:
             self.parts.event_router.handle_event(event)

@@ -61,7 +61,8 @@ class FrameStep:
             if not view.turn.over(now_s):
                 return
             view.end_turn()
-        session.streams = self._streams if self._settings["smooth_streams"] else None
+        drawn = self._settings["smooth_streams"] and not self._display.window.hidden
+        session.streams = self._streams if drawn else None
         session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS), self._due())
 
     def _due(self):

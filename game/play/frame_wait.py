@@ -8,8 +8,9 @@ from game.world.sessions.session import FRAMES_PER_SECOND
 
 CALM_FRAMES = 30  # with nothing going on, after which events are waited for: half a second for tips and fades to come
 CALM_MS = 250  # the longest wait for an event; less takes more of a battery, more lets what tells the time jerk
-HIDDEN_MS = 50  # the same while nobody sees the window and sand moves in it: a frame still holds what is due
-LOOK_MS = 20  # from one look for an event to the next: pygame's own wait looks each millisecond, at 3 % of a core
+HIDDEN_MS = 50  # the same while nobody sees the window and sand moves in it: a timer still ends on time
+LOOK_MS = 20  # from one look for an event to the next: pygame's own wait looks each millisecond, at 3 % of a core;
+# while nobody sees the window, HIDDEN_MS
 
 
 class FrameWait:
@@ -24,9 +25,11 @@ class FrameWait:
 
         at_rest: nothing goes on, so that only an event can change what is seen. hidden: nobody sees it.
         """
-        longest_ms = (CALM_MS if at_rest else HIDDEN_MS) if hidden else CALM_MS
-        if hidden or (at_rest and self._calm >= CALM_FRAMES):
-            wait_for_event(longest_ms)
+        if hidden:
+            wait_for_event(CALM_MS if at_rest else HIDDEN_MS, HIDDEN_MS)
+            self._clock.tick()
+        elif at_rest and self._calm >= CALM_FRAMES:
+            wait_for_event(CALM_MS, LOOK_MS)
             self._clock.tick()
         else:
             self._clock.tick(FRAMES_PER_SECOND)
@@ -35,8 +38,8 @@ class FrameWait:
         return events
 
 
-def wait_for_event(longest_ms):
-    """Return when there is an event, or after that time."""
+def wait_for_event(longest_ms, look_ms):
+    """Return when there is an event, or after that time; look for one every so many milliseconds."""
     until_s = time.monotonic() + longest_ms / 1e3
     while not pygame.event.peek() and time.monotonic() < until_s:
-        time.sleep(LOOK_MS / 1e3)
+        time.sleep(look_ms / 1e3)

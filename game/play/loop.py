@@ -88,7 +88,7 @@ def run(app, later=None):
         if later and later.wait(0):
             freeze_objects()
             later = None
-        events = wait.events(app.parts.at_rest, not pygame.display.get_active())
+        events = wait.events(app.parts.at_rest, app.parts.window.hidden)
 
 
 def _make_ready(window, theme, worker):

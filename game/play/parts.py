@@ -168,7 +168,7 @@ class Parts:
             self.timer.state == RUNNING or self.fast_forward.words,
             self.recorder.said or self.forecasting.thread.working,
             self.display.sand_view.turn or self.gallery.shown,
-            self.glow.shown or self.camera.badge.shown or self.notices.line,
+            self.glow.shown or self.camera.badge.shown,
         )
         return not any(goes_on)
 

@@ -16,7 +16,7 @@ class Waits:
 
     def __init__(self, monkeypatch):
         self.for_events, self.for_frames = [], 0
-        monkeypatch.setattr(frame_wait, "wait_for_event", self.for_events.append)
+        monkeypatch.setattr(frame_wait, "wait_for_event", lambda longest_ms, _: self.for_events.append(longest_ms))
         monkeypatch.setattr(frame_wait.pygame.time, "Clock", lambda: self)
 
     def tick(self, rate=0):
@@ -81,7 +81,47 @@ def test_an_event_that_ends_a_wait_is_heard(monkeypatch):
 
     monkeypatch.setattr(frame_wait.time, "sleep", sleep)
     assert [event.key for event in FrameWait().events(at_rest=True, hidden=True)] == [pygame.K_s]
-    assert looks == [frame_wait.LOOK_MS / 1e3] * 3
+    assert looks == [frame_wait.HIDDEN_MS / 1e3] * 3
+
+
+def test_a_window_that_is_seen_looks_for_an_event_more_often(monkeypatch):
+    pygame.display.init()
+    pygame.event.clear()
+    looks = []
+    monkeypatch.setattr(frame_wait, "wait_for_event", lambda *waited: looks.append(waited))
+    wait = FrameWait()
+    for _ in range(CALM_FRAMES + 1):
+        wait.events(at_rest=True, hidden=False)
+    assert looks == [(CALM_MS, frame_wait.LOOK_MS)]
+
+
+def test_a_line_that_is_read_keeps_nothing_at_work_and_goes_all_the_same(player, waits):
+    know_all_hints(player)
+    player.parts.notices.say("Saved")
+    assert play(player, waits, 100) == 100 - CALM_FRAMES and player.parts.notices.text
+    player.wait(300)
+    assert player.parts.notices.text is None
+
+
+def test_what_nobody_sees_moves_on_undrawn_and_is_drawn_when_it_is_seen_again(glass, monkeypatch):
+    with monkeypatch.context() as patch:
+        patch.setattr(pygame.display, "get_active", lambda: False)
+        patch.setattr(glass.parts.renderer, "draw", lambda _: pytest.fail("drawn"))
+        patch.setattr(glass.parts.panel, "lay_out", lambda *_: pytest.fail("laid out"))
+        before = glass.session.now
+        assert not any(glass.frame() for _ in range(60))
+        assert glass.session.now > before + 100
+    glass.hold_time()
+    glass.frame(elapsed_ns=0)
+    seen = glass.parts.window.surface.copy()
+    glass.frame(pygame.event.Event(pygame.WINDOWEXPOSED), elapsed_ns=0)
+    assert pygame.image.tobytes(seen, "RGB") == pygame.image.tobytes(glass.parts.window.surface, "RGB")
+
+
+def test_an_event_is_heard_while_nobody_sees_the_window(player, monkeypatch):
+    monkeypatch.setattr(pygame.display, "get_active", lambda: False)
+    player.key(pygame.K_SPACE, " ")
+    assert player.session.paused
 
 
 def test_what_was_done_beside_the_frames_ends_a_wait(player):

@@ -70,6 +70,11 @@ class Window:
         return self.surface.get_size()
 
     @property
+    def hidden(self):
+        """Whether nobody can see it: it is minimised, or on another workspace."""
+        return not pygame.display.get_active()
+
+    @property
     def map_rgb(self):
         """A function of red, green, blue that gives a pixel: the same one as long as pixels hold them alike."""
         return _mapper(self.surface.get_shifts()[:3])
