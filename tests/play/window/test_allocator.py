@@ -64,8 +64,8 @@ from game.play.loop import run
 from game.world.background.compile_worker import StepThread
 
 class ShortGame:
-    running = at_rest = True
-    parts = property(lambda self: self)
+    running = at_rest = hidden = True
+    parts = window = property(lambda self: self)
     def frame(self, *_):
         self.running = False
 
