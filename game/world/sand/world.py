@@ -88,6 +88,10 @@ class World:
         planes[:] = self.planes
         return World(planes, self.layout, self.iteration, self.seed, self.fixtures)
 
+    def same(self):
+        """Return another World of the same planes: what this one is, until a stroke or an iteration changes them."""
+        return World(self.planes, self.layout, self.iteration, self.seed, self.fixtures)
+
     def __reduce__(self):
         """Let `copy`, `deepcopy` and `pickle` make what `copy` does: a world that shares nothing with this one."""
         return _again, (self.planes, self.layout, self.iteration, self.seed, self.fixtures)

@@ -110,6 +110,9 @@ class Load:
     seed: int
 
 
+IN_PLACE = Paint, Draw, Fill, Clear  # acts that change the planes of a world; others make new ones or leave them
+
+
 class Outcome(NamedTuple):
     """What an act comes to."""
 
@@ -134,7 +137,7 @@ def perform(action, world, rule):
         case Fill():
             return Outcome(world, rule, *_fill(action, world))
         case Flip():
-            before = World(world.planes, world.layout, world.iteration, world.seed, world.fixtures)
+            before = world.same()
             world.flip()
             return Outcome(world, rule, NO_GRAINS, not alike(before, world))
         case Turn():

@@ -29,7 +29,7 @@ from game.world.sessions.action import (
     Turn,
     snap,
 )
-from game.world.sessions.history import REDO, UNDO, WAIT, Entry
+from game.world.sessions.history import REDO, UNDO, WAIT, WITHDRAW, Entry
 
 PLACE = Knob("place", 0.0, -1e6, 1e6, "cells", "a distance from the left or upper side of the lattice")
 SPRAY = Knob("spray", 0, 0, 2**53, "", "which cells a spray picks; 0 picks all", whole=True)
@@ -147,7 +147,7 @@ def encode_story(entries, known):
 def decode(table, known):
     """Return the entries, one or more, that a CheckedTable records; raise TableError where it records none."""
     at = table.number("at", parameters.MOMENT)
-    name = table.choice("do", (*ACTS, UNDO, REDO, WAIT))
+    name = table.choice("do", (*ACTS, UNDO, REDO, WAIT, WITHDRAW))
     joined = _read_flag(table, "join")
     if name == "stroke":
         return _decode_stroke(table, at, joined)

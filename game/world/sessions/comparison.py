@@ -39,9 +39,10 @@ class Comparison(Session):
         """
         self.keep_up()
         acts = [(session, _kept(action, schedule)) for schedule, session in self.sessions.items()]
-        changed = any([session.timeline.happens(act) for session, act in acts])
+        changed = any([session.timeline.happens(act, join) for session, act in acts])
+        is_back = changed and all(session.timeline.is_back(join) for session, _ in acts)
         for session, act in acts:
-            session._record(act, join, changed)
+            session._record(act, join, changed, is_back)
         return changed
 
     def seek(self, now, budget_ns=None):

@@ -8,14 +8,16 @@ leaves the old line behind the new one, where redo finds it.
 
 from typing import Any, NamedTuple
 
-UNDO, REDO, WAIT = "undo", "redo", "wait"  # what else than an action an entry may say; wait: time went on until then
+# What else than an action an entry may say. Wait: time went on until then. Withdraw: the last act, with all that it is
+# joined to, has led back to where it began, and so it is none.
+UNDO, REDO, WAIT, WITHDRAW = "undo", "redo", "wait", "withdraw"
 
 
 class Entry(NamedTuple):
     """One thing a session did, in the order in which it did them."""
 
     at: int  # iterations since the session began; earlier than in the entry before after a rewind
-    what: Any  # an action, or UNDO, REDO, WAIT
+    what: Any  # an action, or UNDO, REDO, WAIT, WITHDRAW
     join: bool = False  # undone together with the act before
 
 
@@ -41,6 +43,7 @@ class History:
         self._lines = [self.root]  # each line by its last act
         self._cursor = 0
         self._open = None  # the act that a joined one may follow
+        self._opened = 0  # how many lines were put in for it and all it is joined to
 
     @property
     def line(self):
@@ -62,14 +65,26 @@ class History:
     def record(self, action, now, join=False):
         """Put an action at iteration `now` of the present line and return its Act; what came later is another line."""
         here, left = self.latest(now), self.line
-        join = join and here is left is self._open
+        join = join and self.takes_join(now)
         act = self._open = Act(action, now, here, join)
         if join:
             self._lines[self._cursor] = act
         else:
-            self._lines[self._cursor + 1 : self._cursor + 1] = [act] if here is left else [act, left]
-            self._cursor += 1
+            lines = [act] if here is left else [act, left]
+            self._lines[self._cursor + 1 : self._cursor + 1] = lines
+            self._cursor, self._opened = self._cursor + 1, len(lines)
         return act
+
+    def takes_join(self, now):
+        """Return whether an act at iteration `now` can be joined to the last one."""
+        return self.latest(now) is self.line is self._open
+
+    def withdraw(self):
+        """Take the last act back with all that it is joined to, as if they had never been."""
+        if self._open is None:
+            return
+        del self._lines[self._cursor : self._cursor + self._opened]
+        self._cursor, self._open = self._cursor - 1, None
 
     def close(self):
         """Let nothing more be joined to the last act."""
@@ -92,6 +107,8 @@ class History:
             self.undo(entry.at)
         elif entry.what == REDO:
             self.redo(entry.at)
+        elif entry.what == WITHDRAW:
+            self.withdraw()
         elif entry.what != WAIT:
             self.record(entry.what, entry.at, entry.join)
 

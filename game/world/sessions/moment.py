@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from game.world.rules.rule import Rule
 from game.world.sand.advance import NO_TRAFFIC, advance
 from game.world.sand.grain_account import GrainAccount
+from game.world.sand.patch import alike
 from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import scene_of
 from game.world.scenes.scene import Scene
@@ -33,6 +34,18 @@ class Moment:
     def now(self):
         """Iterations since the session began."""
         return self.loaded_at + self.world.iteration
+
+    def same(self):
+        """Return another Moment that is what this one is, until its world's planes change."""
+        return replace(self, world=self.world.same())
+
+    def is_as(self, other):
+        """Return whether a player finds the same here as in another moment: what it took to get there is no matter."""
+        if (self.now, self.rule) != (other.now, other.rule):
+            return False
+        glass = self.scene.glass
+        same_scene = self.scene.is_like(other.scene) or (glass is not None and glass == other.scene.glass)
+        return same_scene and alike(self.world, other.world)
 
     def run(self, iterations):
         """Run iterations and return what they took, in nanoseconds."""

@@ -74,11 +74,12 @@ class Session:
 
         Return whether it changed anything, and so is recorded.
         """
-        return self._record(action, join, self.timeline.happens(action))
+        changed = self.timeline.happens(action, join)
+        return self._record(action, join, changed, changed and self.timeline.is_back(join))
 
-    def _record(self, action, join, changed):
-        """Record an act that has just happened, if it `changed` anything, and return that."""
-        entry = self.timeline.record(action, join, changed)
+    def _record(self, action, join, changed, is_back):
+        """Record an act that has just happened, as `Timeline.record` does, and return whether it `changed` anything."""
+        entry = self.timeline.record(action, join, changed, is_back)
         if entry:
             self._note(entry)
         if isinstance(action, Load):

@@ -2,9 +2,11 @@
 
 import time
 from collections import deque
+from dataclasses import replace
 
 from game.world.sand import parameters
-from game.world.sessions.history import Entry, History
+from game.world.sessions.action import IN_PLACE
+from game.world.sessions.history import WITHDRAW, Entry, History
 from game.world.sessions.moment import Lookahead, Moment
 from game.world.sessions.run_out import at_rest
 from game.world.sessions.snapshots import MEGABYTE, Snapshot, SnapshotStore, nearest
@@ -33,6 +35,7 @@ class Timeline:
         self._settled = False  # nothing moved in the last iterations, and what that means is known
         self._here = self.history.root  # the last act that the moment has seen
         self._ahead = []  # acts of the line yet to come, the nearest last
+        self._before = None  # the moment before the last act and all that it is joined to, and what was reached then
         self.rewinding = False  # time runs backwards, every frame is an earlier moment: leave a trail on the way there
         self._trail = deque(maxlen=LONGEST_TRAIL)  # snapshots beside those of the store, the earliest first
         self._keeping_ns = 0  # what it took to keep the last snapshot
@@ -74,15 +77,30 @@ class Timeline:
 
         join: undo takes it back together with the act before. In the past a new future begins.
         """
-        return self.record(action, join, self.happens(action))
+        changed = self.happens(action, join)
+        return self.record(action, join, changed, changed and self.is_back(join))
 
-    def happens(self, action):
+    def happens(self, action, join=False):
         """Let an act happen now and return whether it changed anything; it is still to be recorded."""
         self.catch_up()
+        if not (join and self.history.takes_join(self.moment.now)):
+            self._before = self.moment.same(), self.reached
+        if isinstance(action, IN_PLACE):
+            self._before = None
         return self.moment.take(action)
 
-    def record(self, action, join, changed):
-        """Record the act that has just happened, as `do` does, if it `changed` anything."""
+    def is_back(self, join):
+        """Return whether the act that has just happened has led back to before the acts that it is to be joined to."""
+        joins = join and self._before is not None and self.history.takes_join(self.moment.now)
+        return joins and self.moment.is_as(self._before[0])
+
+    def record(self, action, join, changed, is_back):
+        """Record the act that has just happened, as `do` does, if it `changed` anything.
+
+        is_back: all that it is joined to comes to nothing with it, and is withdrawn.
+        """
+        if is_back:
+            return self._withdraw()
         if not changed:
             if not join:
                 self.history.close()
@@ -148,12 +166,22 @@ class Timeline:
             self.reached = max(self.reached, entry.at)
         self._ahead = self.history.after(self._here)
 
+    def _withdraw(self):
+        """Be where the acts joined last began, and return the Entry of that."""
+        before, self.reached = self._before
+        self.moment, self._before = replace(before, work_ns=self.moment.work_ns), None
+        self.history.withdraw()
+        self._have_seen(self.history.latest(self.moment.now))
+        self._ahead = self.history.after(self._here)
+        return Entry(self.moment.now, WITHDRAW)
+
     def _change_line(self, now, budget_ns):
         self.reached = max(self.reached, self.history.line.at)
         self.seek(now, budget_ns)
 
     def _start_towards(self, now):
         """Make the present moment the one to compute `now` from: this one, or the nearest snapshot."""
+        self._before = None
         target = self.history.latest(now)
         snapshot = self._on_trail(now) or nearest(target, now)
         if not self._leads_to(target, now) or (snapshot and snapshot.now > self.moment.now):
@@ -185,6 +213,7 @@ class Timeline:
         return self.moment.now >= end
 
     def _run_slice(self, end):
+        self._before = None
         wanted = min(LONGEST_SLICE, 2 * self._slice, int(SLICE_NS / self._iteration_ns))
         self._slice = some = min(end - self.moment.now, max(1, wanted))
         self._iteration_ns = max(1.0, self.moment.run(some) / some)

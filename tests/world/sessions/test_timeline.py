@@ -1,6 +1,7 @@
 """Laws of time: what is computed forward from a snapshot is what was; nothing done is ever lost."""
 
 import time
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -11,12 +12,12 @@ from game import Rule, advance, load_scene
 from game.world.sand.fixtures import Fixture
 from game.world.sessions import snapshots as snapshots
 from game.world.sessions import timeline as timelines
-from game.world.sessions.action import Clear, Draw, Fill, Flip, Load, Paint, Reshape, SetFixtures, SetRule
+from game.world.sessions.action import Clear, Draw, Fill, Flip, Load, Paint, Reshape, SetFixtures, SetRule, Turn
 from game.world.sessions.history import Entry
 from game.world.sessions.recording import Recording
 from game.world.sessions.session import Session
 from tests.cells import small_glass
-from tests.world.random_sessions import SCENES, actions, obey, plain_world, played, plays, state
+from tests.world.random_sessions import SCENES, Listener, actions, obey, plain_world, played, plays, state
 
 steady = settings(derandomize=True, deadline=None, max_examples=40)
 DOT = Paint("sand", (5.0, 5.0), (9.0, 5.0), 4)
@@ -227,6 +228,77 @@ def test_what_changes_nothing_is_no_act_and_leaves_the_future_alone(before, act)
     line = session.timeline.history.line
     assert not session.do(act) and state(session) == here
     assert session.timeline.history.line is line and session.reached == 20
+
+
+def put_back(rule):
+    """Return what a slider does that is dragged away and back, and what a switch does."""
+    return [SetRule(replace(rule, fall_pair=0.3)), SetRule(replace(rule, fall_pair=0.6)), SetRule(rule)]
+
+
+@pytest.mark.parametrize(
+    "acts",
+    [
+        put_back(SCENES[1].rule),
+        [SetRule(replace(SCENES[1].rule, schedule="paper")), SetRule(SCENES[1].rule)],
+        [TAP, SetFixtures(())],
+        [Turn(1), Turn(1), Turn(2)],
+    ],
+)
+@pytest.mark.parametrize("place", ["at the end", "before a future", "after an undo"])
+def test_a_gesture_that_comes_back_to_where_it_began_is_no_act(acts, place):
+    session, twin = Session(SCENES[1]), Session(SCENES[1])
+    for each in session, twin:
+        each.journal = Listener()
+        if place != "at the end":
+            each.do(BAR)
+            each.timeline.run(20)
+            each.do(DOT)
+            each.undo()
+            if place == "before a future":
+                each.redo()
+                each.seek(0)
+                each.undo()
+    for number, act in enumerate(acts):
+        assert session.do(act, join=number > 0)
+    told = Session.retold(Recording(*session.timeline.start, session.journal.entries))
+    told.seek(session.now)
+    steps = ("redo",), ("redo",), ("undo",), ("undo",), ("undo",), ("redo",)
+    for step in ((), *steps):
+        for each in (session, twin, told) if step else ():
+            obey(each, step)
+        assert state(session) == state(twin) == state(told)
+        assert session.reached == twin.reached
+        assert session.timeline.history.story() == twin.timeline.history.story() == told.timeline.history.story()
+
+
+def test_starting_again_at_the_start_with_the_friction_that_is_set_is_no_act():
+    session, rule = Session(SCENES[1]), Rule.with_p(0.1)
+    session.do(SetRule(rule))
+    session.do(Load(SCENES[1], 0))
+    session.do(SetRule(rule), join=True)
+    assert session.undo() and session.rule == SCENES[1].rule and not session.undo()
+
+
+def test_a_gesture_is_an_act_where_time_went_on_or_something_was_painted():
+    session, rule = Session(SCENES[1]), SCENES[1].rule
+    for number, act in enumerate(put_back(rule)):
+        session.do(act, join=number > 0)
+        session.timeline.run(1)
+    assert session.undo() and not session.undo()
+    session.seek(0)
+    for number, act in enumerate([BAR, *put_back(rule)]):
+        session.do(act, join=number > 0)
+    assert session.undo() and state(session) == state(Session(SCENES[1]))
+
+
+def test_a_gesture_after_one_that_came_to_nothing_is_an_act_of_its_own():
+    session, rule = Session(SCENES[1]), SCENES[1].rule
+    session.do(BAR)
+    barred = state(session)
+    for number, act in enumerate([*put_back(rule), SetRule(Rule.with_p(0.2)), SetRule(Rule.with_p(0.1))]):
+        session.do(act, join=number > 0)
+    assert session.rule.p == pytest.approx(0.1)
+    assert session.undo() and state(session) == barred
 
 
 def test_an_act_that_changes_nothing_is_no_step():
