@@ -68,7 +68,7 @@ class Glow:
         if self._of == (tuple(area), wide, colour):
             return
         self._of = tuple(area), wide, colour
-        sheet = pygame.Surface(area.size, pygame.SRCALPHA)
+        sheet = pygame.Surface(area.size, pygame.SRCALPHA, 32)
         for inset in range(wide):
             alpha = round(230 * (1 - inset / wide) ** 2.2)
             pygame.draw.rect(sheet, (*colour, alpha), sheet.get_rect().inflate(-2 * inset, -2 * inset), 1)

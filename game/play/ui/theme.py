@@ -142,7 +142,7 @@ def _spelled(text):
 
 def _smooth(size, colour, draw):
     """Return a sprite with soft edges: `draw` paints it large, in `colour` on the same colour made transparent."""
-    canvas = pygame.Surface((size[0] * SMOOTHING, size[1] * SMOOTHING), pygame.SRCALPHA)
+    canvas = pygame.Surface((size[0] * SMOOTHING, size[1] * SMOOTHING), pygame.SRCALPHA, 32)
     canvas.fill((*colour, 0))
     draw(canvas)
     return pygame.transform.smoothscale(canvas, size)

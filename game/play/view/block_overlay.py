@@ -176,7 +176,7 @@ def _stay(cell, move, inks):
 
 
 def _canvas(cell):
-    canvas = pygame.Surface((2 * cell * SMOOTHING, 2 * cell * SMOOTHING), pygame.SRCALPHA)
+    canvas = pygame.Surface((2 * cell * SMOOTHING, 2 * cell * SMOOTHING), pygame.SRCALPHA, 32)
     canvas.fill((0, 0, 0, 0))
     return canvas
 

@@ -49,7 +49,7 @@ def draw():
 
 def _plate(colour):
     """Return a square with round corners."""
-    big = pygame.Surface((SIDE * SMOOTHING,) * 2, pygame.SRCALPHA)
+    big = pygame.Surface((SIDE * SMOOTHING,) * 2, pygame.SRCALPHA, 32)
     big.fill((*colour, 0))
     pygame.draw.rect(big, colour, big.get_rect(), border_radius=RADIUS * SMOOTHING)
     return pygame.transform.smoothscale(big, (SIDE, SIDE))

@@ -38,6 +38,18 @@ def virtual_screen(size):
         server.wait()
 
 
+def run_under_x11(script, screen):
+    """Return what a script prints, and what it complains of, on a virtual X11 screen."""
+    with virtual_screen(screen) as display:
+        environment = {name: value for name, value in os.environ.items() if not name.startswith("SDL_VIDEO")}
+        done = subprocess.run(
+            [sys.executable, "-c", script],
+            env=environment | {"DISPLAY": display, "SDL_VIDEODRIVER": "x11"},
+            capture_output=True, text=True, check=False,
+        )  # fmt: skip
+    return done.stdout, done.stderr
+
+
 @pytest.mark.skipif(not (shutil.which("Xvfb") and shutil.which("xprop")), reason="needs Xvfb and xprop")
 def test_the_class_of_the_window_is_the_name_of_the_program():
     script = (
@@ -47,11 +59,20 @@ def test_the_class_of_the_window_is_the_name_of_the_program():
         "at = str(pygame.display.get_wm_info()['window'])\n"
         "print(subprocess.run(['xprop', '-id', at, 'WM_CLASS'], capture_output=True, text=True).stdout)"
     )
-    with virtual_screen("800x600x24") as display:
-        environment = {name: value for name, value in os.environ.items() if not name.startswith("SDL_VIDEO")}
-        done = subprocess.run(
-            [sys.executable, "-c", script],
-            env=environment | {"DISPLAY": display, "SDL_VIDEODRIVER": "x11"},
-            capture_output=True, text=True, check=False,
-        )  # fmt: skip
-    assert '"sandglass", "sandglass"' in done.stdout, done.stderr
+    said, trouble = run_under_x11(script, "800x600x24")
+    assert '"sandglass", "sandglass"' in said, trouble
+
+
+@pytest.mark.skipif(not shutil.which("Xvfb"), reason="needs Xvfb")
+@pytest.mark.parametrize("bits", [15, 16])
+def test_on_a_screen_of_few_colours_all_is_drawn(bits):
+    script = (
+        "import pygame; from tests.play.player import Player; player = Player(size=(700, 500))\n"
+        "player.hold_time(); player.drag(player.pixel(58, 45), player.pixel(62, 45))\n"
+        "for key in (pygame.K_b, pygame.K_F1, pygame.K_F1, pygame.K_F2, pygame.K_ESCAPE): player.key(key)\n"
+        "for _ in range(9): player.key(pygame.K_EQUALS, '=', pygame.KMOD_CTRL)\n"
+        "player.parts.glow.start(player.now_s); player.wait(9)\n"
+        "print('drawn', pygame.display.get_surface().get_bytesize())"
+    )
+    said, trouble = run_under_x11(script, f"800x600x{bits}")
+    assert "drawn 2" in said, trouble
