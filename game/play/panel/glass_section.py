@@ -91,7 +91,7 @@ def running_time(session, run_out):
         return "Runs for longer than can be computed."
     left = run_out.at - session.now
     if left <= 0 and not run_out.has_neck:
-        return "All sand is at rest, and there is no neck."
+        return "All sand is at rest, and none of it is above a neck."
     if left <= 0:
         return "The sand above the neck is stuck." if run_out.left else "No sand is above the neck."
     return f"Runs for {spell(left / session.clock.speed)} more at {session.clock.speed:,.0f} iterations a second."

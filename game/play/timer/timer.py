@@ -218,7 +218,7 @@ class Timer:
         if run_out.endless:
             return "endless", "No end of this sand can be foreseen: the timer only counts down."
         if now >= run_out.at and not run_out.has_neck:
-            return "rest", "All sand is at rest, and there is no neck: the timer only counts down."
+            return "rest", "All sand is at rest, and none of it is above a neck: the timer only counts down."
         if now >= run_out.at and run_out.left:
             return "stuck", "The sand above the neck is stuck: the timer only counts down."
         if now >= run_out.at:

@@ -28,12 +28,15 @@ def find_neck(world):
     """Return the Neck of a world, or None where sand has several ways down or no narrow one.
 
     It is the narrowest gap between two walls of one row through which alone the sand in the wider room above can go
-    down; of equally narrow ones the nearest to the middle of the lattice.
+    down; of equally narrow ones the nearest to the middle of the lattice. With no sand above it is the neck of a glass
+    that has run out, or of an empty one: a wider room lies below too, and no sand is as high.
     """
     sand, walls = world.sand, world.walls
     for row, start, end in _gaps(walls):
         above = _cells_above(walls, row, start, end)
-        if above.sum(axis=1).max() >= FUNNEL * (end - start) and _is_only_way(sand & above, walls, row, start, end):
+        if not _is_wide(above, end - start) or not _is_only_way(sand & above, walls, row, start, end):
+            continue
+        if (sand & above).any() or (not sand[:row].any() and _has_room_below(walls, row, start, end)):
             planes = bit_planes.pack(above, np.zeros_like(above))
             return Neck(row, slice(start, end), planes[SAND:WALLS])
     return None
@@ -67,6 +70,15 @@ def _cells_above(walls, row, start, end):
         if not reached.any():
             break
     return above
+
+
+def _has_room_below(walls, row, start, end):
+    return _is_wide(_cells_above(walls[::-1], len(walls) - 1 - row, start, end), end - start)
+
+
+def _is_wide(room, gap):
+    """Return whether a room, (H, W) bool, is much wider than a gap."""
+    return room.sum(axis=1).max() >= FUNNEL * gap
 
 
 def _is_only_way(sand, walls, row, start, end):

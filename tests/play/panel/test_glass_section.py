@@ -6,7 +6,7 @@ import pytest
 from game.play.panel.glass_section import running_time
 from game.world.scenes.hourglass_maker import HEIGHT
 from game.world.scenes.scene import load_scene
-from game.world.sessions.action import Clear, Paint
+from game.world.sessions.action import Clear, Flip, Paint, Turn
 from game.world.sessions.run_out import find_run_out
 from game.world.sessions.session import Session
 from tests.play.player import Player
@@ -148,4 +148,32 @@ def test_a_plugged_glass_is_not_said_to_be_empty(walls, words):
         session.do(Paint("wall", walls[:2], walls[2:], 4))
     else:
         session.do(Clear())
-    assert running_time(session, find_run_out(session.timeline.lookahead())) == words
+    assert told(session) == words
+
+
+def told(session):
+    return running_time(session, find_run_out(session.timeline.lookahead()))
+
+
+@pytest.mark.parametrize("quarters", [1, 3])
+@pytest.mark.parametrize("begun", [0, 1500])
+@pytest.mark.parametrize("name", ["hourglass", "paper", "sandpile", "tower", "clocks"])
+def test_sand_beside_the_neck_is_not_said_to_be_below_it(name, quarters, begun):
+    session = Session(load_scene(name))
+    session.timeline.run(begun)
+    session.do(Turn(quarters))
+    assert told(session).startswith("Runs for")
+    session.timeline.run(20_000)
+    assert told(session) == "All sand is at rest, and none of it is above a neck."
+
+
+def test_no_sand_is_above_the_neck_only_where_all_has_run_through_or_there_is_none():
+    session = Session(load_scene("clocks"))  # three glasses, which run out one after the other
+    while told(session) != "No sand is above the neck.":
+        assert session.world.sand[:95].any()
+        session.timeline.run(500)
+    assert not session.world.sand[:94].any()
+    session.do(Flip())
+    assert told(session).startswith("Runs for")
+    session.do(Clear())
+    assert told(session) == "No sand is above the neck."
