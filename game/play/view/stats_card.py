@@ -53,13 +53,17 @@ class StatsCard:
         self._display.figures_shown = self.shown
 
     def drawing(self, theme, rect):
-        """Return the strokes of the card in `rect`, with as many of the lines as there is room for."""
+        """Return the strokes of the card in `rect`, with those of the lines that there is room for: none is cut off."""
         px, high = theme.px, theme.line_height(look.SMALL)
         card = rect.inflate(-2 * px(AWAY), -2 * px(AWAY))
         row = card.inflate(-2 * px(PAD), -2 * px(PAD))
-        rows = [each for line in self.lines for each in theme.lines(line, look.SMALL, row.width)]
+        rows = []
+        for line in self.lines:
+            more = theme.lines(line, look.SMALL, row.width)
+            if (len(rows) + len(more)) * high <= row.height:
+                rows += more
         strokes = box_strokes(theme, card)
-        for number, text in enumerate(rows[: max(0, row.height // high)]):
+        for number, text in enumerate(rows):
             place = (row.x, row.y + number * high, row.width, high)
             strokes.append((draw_list.words, place, text, look.SMALL, look.TEXT, 0))
         return strokes

@@ -5,6 +5,7 @@ import pygame
 import pytest
 
 from game.play.view.block_overlay import part_in_sight
+from game.world.looks.view import View
 from game.world.sand.block_events import coming_events
 
 
@@ -43,6 +44,16 @@ def test_they_are_hidden_from_afar_and_while_time_runs(close):
     close.hold_time()
     close.key(pygame.K_0, "0")
     assert not close.parts.block_overlay.shown
+
+
+@pytest.mark.parametrize(("pixels", "large_enough"), [(7.9, False), (8, True), (10, True)])
+def test_they_are_shown_in_cells_of_eight_pixels_and_who_is_further_away_is_told(close, pixels, large_enough):
+    sand_view = close.parts.display.sand_view
+    sand_view.show(View.near(sand_view.view.shape, sand_view.area, pixels, (100, 60), *sand_view.area.center))
+    assert sand_view.view.cell == pytest.approx(pixels)
+    close.key(pygame.K_b, "b")
+    assert close.parts.block_overlay.shown is large_enough
+    assert ("Zoom in" in (close.parts.notices.text or "")) is not large_enough
 
 
 def test_what_is_drawn_piece_by_piece_is_what_is_drawn_at_once(close):

@@ -153,3 +153,15 @@ def test_figures_tell_nothing_beside_their_card(glass):
     rect = glass.parts.display.layout.cards["figures"]
     strokes = glass.parts.stats_card.drawing(glass.parts.display.theme, rect)
     assert len(strokes) > 5 and all(rect.contains(pygame.Rect(place)) for _, place, *_ in strokes)
+
+
+@pytest.mark.parametrize("height", range(30, 240, 15))
+def test_no_figure_is_cut_off_in_a_card_that_is_too_low_for_all(glass, height):
+    glass.parts.stats_card.toggle()
+    glass.wait(20)
+    card = glass.parts.stats_card
+    strokes = card.drawing(glass.parts.display.theme, pygame.Rect(0, 0, 352, height))
+    said = " ".join(text for stroke, _, text, *_ in (each for each in strokes if each[0] is draw_list.words))
+    for line in card.lines:
+        said = said.replace(line, "", 1)
+    assert not said.strip()
