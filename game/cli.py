@@ -30,7 +30,17 @@ class _Parser(argparse.ArgumentParser):
 
 def main(arguments=None):
     """Run the command that `arguments` (default: the process's own) name and return the exit status."""
-    return process.run(lambda: _command(sys.argv[1:] if arguments is None else list(arguments)))
+    return process.run(lambda: _answered(sys.argv[1:] if arguments is None else list(arguments)))
+
+
+def _answered(arguments):
+    """Run the command; refuse in one line where a file that came with the toy is damaged."""
+    from game.world.files.atomic import FileError
+
+    try:
+        return _command(arguments)
+    except FileError as error:
+        return _refuse(error)
 
 
 def _command(arguments):

@@ -157,6 +157,32 @@ def test_output_that_cannot_be_written_is_one_line_and_status_2(arguments):
     assert done.stderr == "sandglass: the output cannot be written: no space left on device\n"
 
 
+SAND = (ROOT / "assets" / "rules" / "sand.toml").read_bytes()
+
+
+@pytest.mark.parametrize("command", ["headless --frames 1", "--scene paper", "rule water-and-oil", "bench --quick"])
+@pytest.mark.parametrize(
+    ("content", "found"),
+    [
+        (None, "no such file"),
+        (b"", "found 0 materials"),
+        (SAND[:900], "broken TOML"),
+        (b"\xff" + SAND, "the byte 0xff"),
+        (SAND.replace(b"fall_pair", b"fall_both"), "fall_both"),
+    ],
+)
+def test_a_shipped_rule_that_is_damaged_is_one_line_and_status_2(command, content, found, tmp_path):
+    for name in ("game", "assets"):
+        shutil.copytree(ROOT / name, tmp_path / name, ignore=shutil.ignore_patterns("__pycache__", "*.png"))
+    path = tmp_path / "assets" / "rules" / "sand.toml"
+    path.unlink() if content is None else path.write_bytes(content)
+    done = subprocess.run(
+        [sys.executable, "-m", "game", *command.split()], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (2, "", 1)
+    assert found in done.stderr and "sand" in done.stderr
+
+
 @pytest.mark.parametrize("also", ["--p 0.1", "--seed 3", "--size 9x9", "--scene paper", "--frames 3"])
 def test_what_a_recording_decides_is_refused_beside_it(also):
     for command in ([], ["headless"])[also.startswith("--frames") :]:

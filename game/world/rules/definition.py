@@ -87,7 +87,7 @@ class Definition:
 def rule_names():
     """Return the names of the shipped rules: the files that have materials, the sand first."""
     files = asset("rules").glob("*.toml")
-    names = sorted(path.stem for path in files if "[materials]" in path.read_text(encoding="utf-8"))
+    names = sorted(path.stem for path in files if "[materials]" in path.read_text("utf-8", "replace"))
     return tuple(sorted(names, key=lambda name: name != "sand"))
 
 

@@ -5,12 +5,31 @@ from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from game.core.rule_table import CERTAIN, corners, state_of
+from game.world.files.paths import asset
 from game.world.rules.definition import Definition, load_definition
 from game.world.rules.laws import check_sums
+from game.world.rules.rule_text import RuleError
 from game.world.sand import parameters
 from game.world.sand.schedules import SCHEDULES
 
-SAND = load_definition("sand")
+MATERIALS = "air", "sand", "wall"
+CHANCES = (
+    *("topple_left", "topple_right", "fall_pair"),
+    *("fall_low_left", "fall_low_right", "fall_full_left", "fall_full_right"),
+)
+
+
+def _load_sand():
+    """Return the sand's definition; raise RuleError where its file lacks what worlds, scenes and sliders ask for."""
+    sand = load_definition("sand")
+    for key, found, wanted in (("materials", sand.materials, MATERIALS), ("chances", sand.chances, CHANCES)):
+        names = tuple(each.name for each in found)
+        if names != wanted:
+            raise RuleError(asset("rules", "sand.toml"), 0, key, ", ".join(names) or "none", ", ".join(wanted))
+    return sand
+
+
+SAND = _load_sand()
 PROBABILITIES = SAND.chances  # the knobs of the sand's seven probabilities
 FIELDS = (*(each.name for each in PROBABILITIES), "schedule")
 

@@ -27,6 +27,29 @@ BESIDE_CELLS = [each.name for each in fields(Scene) if each.name not in ("sand",
 NECK = parameters.Knob("neck", 0, 0, parameters.SIDE.high, "", "the row in the middle of a glass", whole=True)
 
 
+FREE_CELLS = 2**29  # that the scenes of one file may have, however short it is: two lattices of the largest size …
+CELLS_PER_BYTE = 64  # … and so many more for each byte of packed cells: what a file takes in memory follows its size
+
+
+class KnownScenes(dict):
+    """The scenes that a file has told of so far, {start digest: scene}, and `room`: the cells that more may have."""
+
+    def __init__(self):
+        super().__init__()
+        self.room = FREE_CELLS
+
+    @property
+    def are_too_many(self):
+        """Whether more was told of than anybody reads."""
+        return self.room < 0
+
+    def charge(self, values):
+        """Take the cells of a scene, as its record tells of them, from the room."""
+        width, height = values["size"]
+        told = values.get("cells", "")
+        self.room += CELLS_PER_BYTE * (len(told) if isinstance(told, str) else 0) - width * height
+
+
 def start_digest(scene):
     """Return 16 hex digits that name a scene's size, cells, rule and fixtures."""
     digest = hashlib.blake2b(f"{scene.shape} {scene.rule.as_dict()} ".encode(), digest_size=8)
@@ -37,11 +60,17 @@ def start_digest(scene):
 
 
 def encode(scene, known):
-    """Return the record of a scene as a dict for JSON; known: {start digest: scene} of the file so far, added to."""
+    """Return the record of a scene as a dict for JSON; known: the KnownScenes of the file so far, added to."""
     start = start_digest(scene)
     if start in known and all(getattr(known[start], field) == getattr(scene, field) for field in BESIDE_CELLS):
         return {"again": start}
     known[start] = scene
+    values = _spelled(scene, start)
+    known.charge(values)
+    return values
+
+
+def _spelled(scene, start):
     size = list(scene.shape[::-1])
     if scene.shipped:
         return {"name": scene.name, "size": size, "start": start}
@@ -68,13 +97,20 @@ def decode(table, known):
         table.allow(("again",))
         start = table.choice("again", tuple(known) or ("a scene told of before",))
         return known[start]
+    width, height = _size(table)
+    known.charge(table.values)
+    if known.are_too_many:
+        wanted = f"at most {known.room + width * height} more in a file of this size"
+        raise table.error("size", f"{width}×{height} cells", wanted)
     scene = _embedded(table) if "cells" in table else _shipped(table)
     known[start_digest(scene)] = scene
     return scene
 
 
 def decode_rule(table):
-    """Return the Rule that a CheckedTable spells out in full."""
+    """Return the Rule of sand that a CheckedTable spells out in full: worlds hold nothing else."""
+    if "rule" in table:
+        raise table.error("rule", shown(table.values["rule"]), "no name: the rule of sand, by its probabilities")
     table.allow(FIELDS)
     numbers = {each.name: table.number(each.name, each) for each in PROBABILITIES}
     return Rule(**numbers, schedule=table.choice("schedule", tuple(SCHEDULES)))

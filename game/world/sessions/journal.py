@@ -111,7 +111,7 @@ class Journal:
         self.acted |= entry.what != WAIT
         self._noted_at = entry.at
         line = self._pen.entry(entry)
-        if self._size + len(line) > LARGEST_FILE - LONGEST_END:
+        if self._pen.known.are_too_many or self._size + len(line) > LARGEST_FILE - LONGEST_END:
             self._stop()
             raise JournalError(f"{self.path}: cannot write the journal: it is full, with {self._size} bytes")
         self._write(line)

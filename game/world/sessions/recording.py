@@ -34,10 +34,13 @@ def recording_of(session):
 
 
 def to_bytes(recording):
-    """Return the file of a Recording that has an end."""
+    """Return the file of a Recording that has an end; raise ReplayError where nobody could read it."""
     pen = LineWriter()
     lines = pen.header(recording.scene, recording.seed), pen.story(recording.entries)
-    return b"".join(lines) + pen.end(recording.end, recording.digest)
+    data = b"".join(lines) + pen.end(recording.end, recording.digest)
+    if pen.known.are_too_many:
+        raise ReplayError("the scenes of this session are too large for one file")
+    return data
 
 
 def load_replay(path):

@@ -26,7 +26,7 @@ class LineWriter:
 
     def __init__(self, checksum=0, known=None):
         self.checksum = checksum  # of all lines so far
-        self.known = {} if known is None else known  # scenes told of so far, by their start digest
+        self.known = scene_json.KnownScenes() if known is None else known
 
     def header(self, scene, seed):
         """Return the first line."""
@@ -57,7 +57,7 @@ class LineReader:
     def __init__(self, file):
         self.file = file
         self.version = VERSION
-        self.checksum, self.known, self.number = 0, {}, 0
+        self.checksum, self.known, self.number = 0, scene_json.KnownScenes(), 0
 
     def header(self, line):
         """Return (scene, seed) from the first line."""

@@ -1,8 +1,10 @@
 """Laws of session files: they tell every act, give one world everywhere, and say in one line where they are wrong."""
 
+import base64
 import json
 import subprocess
 import sys
+import tracemalloc
 import zlib
 from dataclasses import replace
 from pathlib import Path
@@ -12,12 +14,14 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from game import Rule, headless, load_scene
+from game import Rule, headless, load_rule, load_scene
 from game.world.files.paths import asset
 from game.world.sand.fixtures import Fixture
+from game.world.scenes import scene_json
 from game.world.scenes.scene_json import start_digest
 from game.world.sessions.action import Clear, Draw, Fill, Flip, Load, Paint, SetFixtures, SetRule, Turn, snap
 from game.world.sessions.history import Entry
+from game.world.sessions.journal import Journal
 from game.world.sessions.recording import ReplayError, load_replay, parse, recording_of, to_bytes
 from game.world.sessions.session import Session
 from game.world.sessions.session_format import LineWriter
@@ -69,6 +73,61 @@ def resealed(lines):
     """Return a file of (dict) lines, each with the seal it should have."""
     pen = LineWriter()
     return b"".join(pen.line(values) for values in lines)
+
+
+def wall_to_wall(number):
+    """Return the record of a large scene with nothing in it, which is short."""
+    side, bits = 4096, 2 * 4096 * 4096 // 8
+    cells = base64.b64encode(zlib.compress(bytes(bits), 9)).decode()
+    values = scene_json.encode(SCENES[0], scene_json.KnownScenes())
+    return values | {"name": f"blank{number}", "size": [side, side], "cells": cells, "speed": 50.0 + number}
+
+
+def test_what_a_file_takes_in_memory_follows_its_size(monkeypatch):
+    monkeypatch.setattr(scene_json, "FREE_CELLS", 2 * 4096**2)
+    lines = values_of(LineWriter().header(SCENES[0], 0))
+    lines += [{"at": number, "do": "load", "seed": number, "scene": wall_to_wall(number)} for number in range(30)]
+    tracemalloc.start()
+    recording, _ = parse(resealed(lines), "some.sandglass")
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert most < 8 * 4096**2 and 1 <= len(recording.entries) <= 3
+    assert recording.problem.startswith("some.sandglass: line ") and "scene.size: found 4096×4096" in recording.problem
+    assert "more in a file of this size; the " in recording.problem
+
+
+def test_nothing_is_written_that_is_not_read(monkeypatch, tmp_path):
+    monkeypatch.setattr(scene_json, "FREE_CELLS", 3000)
+    monkeypatch.setattr(scene_json, "CELLS_PER_BYTE", 0)
+    session = Session(SCENES[0])
+    session.journal = Journal.begin(SCENES[0], 0, tmp_path)
+    session.do(Load(SCENES[1], 0))
+    to_bytes(recording_of(session))
+    session.do(Load(SCENES[2], 0))
+    session.do(Load(replace(SCENES[1], speed=9.0), 0))
+    assert session.journal is None and "full" in session.trouble
+    with pytest.raises(ReplayError):
+        to_bytes(recording_of(session))
+    kept = load_replay(session.lost_journal)
+    assert [entry.what.scene.name for entry in kept.entries] == ["scene1", "scene2"]
+
+
+@pytest.mark.parametrize("where", ["the scene", "an act"])
+def test_another_rule_than_the_sands_is_refused_when_it_is_read(where):
+    lines, rule = values_of(to_bytes(recording_of(sample()))), load_rule("water-and-oil").as_dict()
+    if where == "the scene":
+        lines[0]["scene"]["rule"] = rule
+    else:
+        lines.insert(1, {"at": 0, "do": "rule", "rule": rule})
+    pen, told = LineWriter(), "rule.rule: found 'water-and-oil', wanted no name: the rule of sand, by its probabilities"
+    data = b"".join(map(pen.line, lines))
+    if where == "the scene":
+        with pytest.raises(ReplayError) as refused:
+            parse(data, "some.sandglass")
+        assert str(refused.value) == f"some.sandglass: line 1: scene.{told}"
+    else:
+        recording, _ = parse(data, "some.sandglass")
+        assert recording.problem.startswith(f"some.sandglass: line 2: {told}") and not recording.entries
 
 
 def values_of(data):
