@@ -1,5 +1,6 @@
 """Themes: which colours the window and the sand have, as values. No window is needed."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -89,6 +90,7 @@ class Colours(NamedTuple):
         grain = self.dyes[number - 1]
         return {look: Range(*(_lit(grain, by) for by in LIGHT_ON_SAND[look])) for look in self.sand}
 
+    @lru_cache(maxsize=64)  # noqa: B019 - the themes live as long as the program
     def swatch(self, number):
         """Return the RGB that stands for sand of a colour, by its number."""
         return tuple(map(round, self.mean_of(number, GRAIN)))
