@@ -10,6 +10,7 @@ corners are
 import math
 import re
 import tomllib
+from functools import lru_cache
 from pathlib import Path
 
 SCHEDULES = {
@@ -219,21 +220,36 @@ def mix(z):
     return z ^ (z >> 31)
 
 
+@lru_cache(maxsize=4096)
+def _key(seed, iteration):
+    return mix((mix((seed + GOLDEN) & MASK) + iteration * GOLDEN) & MASK)
+
+
+@lru_cache(maxsize=65536)
+def _word(key, place, draw, step):
+    return mix((key + (place * 32 + draw) * GOLDEN + step) & MASK)
+
+
 def _bit(seed, iteration, row, column, blocks_across, draw, step):
     """Return a random bit of block (row, column) of the partition; -1 is before the first row or column."""
     words = -(-blocks_across // 64)  # a row of blocks is dealt out to this many words in turn ...
     lane, word = divmod(column, words) if column >= 0 else (0, -1)  # ... so this is the block's bit and its word
     place = row * (words + 1) + word
-    key = mix((mix((seed + GOLDEN) & MASK) + iteration * GOLDEN) & MASK)
-    return (mix((key + (place * 32 + draw) * GOLDEN + step) & MASK) >> lane) & 1
+    return (_word(_key(seed, iteration), place, draw, step) >> lane) & 1
 
 
-def uniform32(seed, iteration, row, column, blocks_across, layer=0):
-    """Return the 32-bit uniform number of a block in a layer: bit by bit, most significant first."""
-    number = 0
+def is_below(limit, seed, iteration, row, column, blocks_across, layer=0):
+    """Return whether the 32-bit uniform number of a block in a layer is below a limit in 0 … 2^32.
+
+    The number comes bit by bit, most significant first, so the first bit that differs from the limit's decides.
+    """
+    if limit == 2**32:
+        return True
     for draw in range(32):
-        number = 2 * number + _bit(seed, iteration, row, column, blocks_across, draw, layer * LAYER_STEP)
-    return number
+        wanted = (limit >> (31 - draw)) & 1
+        if _bit(seed, iteration, row, column, blocks_across, draw, layer * LAYER_STEP) != wanted:
+            return wanted == 1
+    return False
 
 
 def fair_bit(seed, iteration, row, column, blocks_across):
@@ -249,7 +265,7 @@ def _outcome_of_sand(block, probabilities, place):
     if found is None:
         return None
     after, name = found
-    if name == ALWAYS or uniform32(*place) < round(probabilities[name] * 2**32):
+    if name == ALWAYS or is_below(round(probabilities[name] * 2**32), *place):
         return after
     return None
 
@@ -257,10 +273,10 @@ def _outcome_of_sand(block, probabilities, place):
 def _outcome_of_pictures(block, pictures, place):
     coin = fair_bit(*place)
     for layer, claim in pictures.draws(block, coin):
-        number, chances = uniform32(*place, layer), []
+        chances = []
         for p, after in claim:
             chances.append(p)
-            if number < min(2**32, round(math.fsum(chances) * 2**32)):
+            if is_below(min(2**32, round(math.fsum(chances) * 2**32)), *place, layer):
                 return after
     return None
 

@@ -31,6 +31,9 @@ def follow(rows, colours, rule, seed, iterations, start=0):
 
 def take_along(before, after, colours, y, x):
     """Let the colours in a block go where its grains went: straight down if they can, else across."""
+    block = slice(max(x, 0), x + 2)
+    if all(before[row][block] == after[row][block] for row in (y, y + 1)):
+        return
     columns = [column for column in (x, x + 1) if 0 <= column < len(before[0])]
     gone = [column for column in columns if before[y][column] == "o" and after[y][column] == "."]
     come = [column for column in columns if before[y + 1][column] == "." and after[y + 1][column] == "o"]
