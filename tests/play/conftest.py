@@ -6,17 +6,22 @@ import pytest
 from tests.play.player import Player
 
 
+def _close():
+    """Close the window and end all sounds; the sound card stays open, for opening and closing it takes long."""
+    if pygame.mixer.get_init():
+        pygame.mixer.stop()
+    pygame.display.quit()
+
+
 @pytest.fixture
 def player():
     """Return a Player of the blank scene."""
     yield Player()
-    pygame.mixer.quit()
-    pygame.display.quit()
+    _close()
 
 
 @pytest.fixture
 def glass():
     """Return a Player of the hourglass."""
     yield Player("hourglass")
-    pygame.mixer.quit()
-    pygame.display.quit()
+    _close()

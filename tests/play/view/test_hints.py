@@ -15,8 +15,8 @@ PAINT, FLIP, P = (hint.words for hint in HINTS)
 def said(player, seconds):
     """Return the hints that are shown within so many seconds, in order."""
     heard = []
-    for _ in range(int(seconds * 10)):
-        player.frame(elapsed_ns=100_000_000)
+    for _ in range(int(seconds * 4)):
+        player.frame(elapsed_ns=250_000_000)
         text = player.parts.notices.text
         if text in (PAINT, FLIP, P) and heard[-1:] != [text]:
             heard.append(text)

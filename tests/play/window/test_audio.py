@@ -7,6 +7,12 @@ import pytest
 WAVE = np.zeros((4410, 2))
 
 
+@pytest.fixture(autouse=True)
+def no_card():
+    """Begin with the sound card closed."""
+    pygame.mixer.quit()
+
+
 @pytest.fixture
 def mixer(player):
     yield player.parts.audio
