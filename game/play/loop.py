@@ -9,7 +9,7 @@ from game.play.frame_wait import FrameWait
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.window.allocator import freeze_objects, return_freed_memory
-from game.play.window.layout import Layout, first_scale, first_size, window_size
+from game.play.window.layout import WindowLayout, first_scale, first_size, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
 from game.process import ending_within, is_asked_to_end, noting_signals
 from game.world.background.compile_worker import StepThread, steps_to_play
@@ -34,7 +34,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
         settings["ui_scale"] = first_scale(desktop_size())
     theme = look.Theme(settings["ui_scale"])
     window = Window(_size(scene, settings, cell, theme), fullscreen)
-    cell = View.fit(scene.shape, *Layout(theme, window.size, panel_shown=True).sand).cell
+    cell = View.fit(scene.shape, *WindowLayout(theme, window.size, panel_shown=True).sand).cell
     first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures)
     worker = StepThread(first)
     try:

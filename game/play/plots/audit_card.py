@@ -21,7 +21,7 @@ CLOSEST = 0.9  # of their usual height: lines where there is little room
 ALL = "all"  # the row of the sums
 
 
-class Column(NamedTuple):
+class ColourColumn(NamedTuple):
     """A word, its sign in the sum, and its numbers: for each colour, and for all of them."""
 
     word: str
@@ -30,7 +30,7 @@ class Column(NamedTuple):
     total: int
 
 
-class Table(NamedTuple):
+class AuditTable(NamedTuple):
     """A layout of the card: with or without the sums, rows in one column or two, and which numbers of a row."""
 
     sums: bool
@@ -63,13 +63,13 @@ def card(theme, rect, account, counted):
 def heights(theme, account):
     """Return the heights in pixels that a card would like, the greatest first: with the sums, and without them."""
     line = theme.line_height(look.SMALL)
-    return [_chrome(theme) + Table(sums, 1, (), None).lines(account) * line for sums in (True, False)]
+    return [_chrome(theme) + AuditTable(sums, 1, (), None).lines(account) * line for sums in (True, False)]
 
 
 def widths(theme, account, room):
     """Return the widths in pixels that a card of `room` pixels' height would like, for rows in one column or two."""
     line = CLOSEST * theme.line_height(look.SMALL)
-    one = _chrome(theme) + Table(False, 1, (), None).lines(account) * line <= room
+    one = _chrome(theme) + AuditTable(False, 1, (), None).lines(account) * line <= room
     return [theme.px(WIDE) if one else theme.px(2 * WIDE)]
 
 
@@ -91,10 +91,10 @@ def _sums(theme, room, account, lines):
 
 
 def _fitting(theme, room, account):
-    """Return the fullest Table that fits the room, or the smallest there is."""
+    """Return the fullest AuditTable that fits the room, or the smallest there is."""
     high = CLOSEST * theme.line_height(look.SMALL)
     for (sums, across, columns), spell in product(LAYOUTS, (_exact, _rounded)):
-        table = Table(sums, across, tuple(columns(account)), spell)
+        table = AuditTable(sums, across, tuple(columns(account)), spell)
         if table.lines(account) * high <= room.height and _is_wide_enough(theme, room, table):
             return table
     return table
@@ -152,7 +152,7 @@ def _all_columns(account):
     """Return the columns that are not all zeros."""
     words = ("start", ""), ("painted", "+"), ("erased", "-"), ("poured", "+"), ("swallowed", "-"), ("now", "=")
     numbers = list(zip(*account.rows, strict=True))[1:]
-    found = [Column(*word, each, sum(each)) for word, each in zip(words, numbers, strict=True)]
+    found = [ColourColumn(*word, each, sum(each)) for word, each in zip(words, numbers, strict=True)]
     return [each for each in found if each.total or each.word in ("start", "now")]
 
 
@@ -162,7 +162,7 @@ def _came_and_went(account):
     came = tuple(map(sum, zip(painted, poured, strict=True)))
     went = tuple(map(sum, zip(erased, swallowed, strict=True)))
     columns = ("start", "", start), ("came", "+", came), ("went", "-", went), ("now", "=", now)
-    return [Column(word, sign, each, sum(each)) for word, sign, each in columns]
+    return [ColourColumn(word, sign, each, sum(each)) for word, sign, each in columns]
 
 
 def _now_alone(account):

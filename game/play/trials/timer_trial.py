@@ -43,7 +43,7 @@ ALONE = {
 
 
 @dataclass(frozen=True)
-class Trial:
+class TimedRun:
     """One timer, and what happens to it on its way."""
 
     seconds: float
@@ -60,7 +60,7 @@ class Trial:
         return ", ".join(words for name, words in ALONE.items() if getattr(self, name)) or "nothing"
 
 
-WARM_UP = Trial(2, "", strokes=True, flips=True, changes=True)  # compiles what the others need
+WARM_UP = TimedRun(2, "", strokes=True, flips=True, changes=True)  # compiles what the others need
 
 
 def trials(count, shortest_s, longest_s):
@@ -68,7 +68,7 @@ def trials(count, shortest_s, longest_s):
     draw = np.random.default_rng(SEED)
     chances = {"load": 0.4, "losses": 0.5, "strokes": 0.5, "flips": 0.4, "changes": 0.3}
     return [
-        Trial(
+        TimedRun(
             round(float(draw.uniform(shortest_s, longest_s)), 1),
             SCENES[number % len(SCENES)],
             **{name: bool(draw.random() < chance) for name, chance in chances.items()},
@@ -233,7 +233,7 @@ def main():
     parser.add_argument("--seed", type=int, default=0, help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.one:
-        print(json.dumps(play(Trial(**json.loads(options.one)), options.seed)))
+        print(json.dumps(play(TimedRun(**json.loads(options.one)), options.seed)))
         return 0
     reports = run(trials(options.count, options.shortest, options.longest), options.together)
     print(table(reports))

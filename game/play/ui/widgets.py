@@ -27,7 +27,7 @@ SHORTEST_THUMB = 24
 NOTCH = 56  # scrolled by one notch of the wheel
 
 
-class Claim(NamedTuple):
+class WidgetState(NamedTuple):
     """What a control learns when it claims its place: its own name, what was done to it, and how it should look."""
 
     name: str
@@ -180,7 +180,7 @@ class Ui:
         ring = body if bodiless else body.inflate(2 * self.theme.px(2), 2 * self.theme.px(2))
         self._slots[name] = Slot(rect, ring, parts, keys if live else frozenset(), tip, live)
         focus = self.focus
-        return Claim(name, focus.events.get(name, []) if live else [], focus.hover == name, focus.held == name)
+        return WidgetState(name, focus.events.get(name, []) if live else [], focus.hover == name, focus.held == name)
 
     def stroke(self, *stroke):
         """Add (paint function, rect, ...) to the drawing."""

@@ -8,7 +8,7 @@ from game.play.ui import theme as look
 from game.play.view.comparison_view import ComparisonView
 from game.play.view.sand_view import SandView
 from game.play.view.turn_animation import TurnAnimation
-from game.play.window.layout import MARGIN, Layout, fitting_scale
+from game.play.window.layout import MARGIN, WindowLayout, fitting_scale
 from game.world.looks.themes import THEMES
 from game.world.looks.view import View
 from game.world.sessions.comparison import Comparison
@@ -88,7 +88,7 @@ class Display:
             return False
         self._looks = looks
         self._renew_theme()
-        self.layout = Layout(self.theme, self.window.size, self.panel_shown, shape, self.plots_shown, cards)
+        self.layout = WindowLayout(self.theme, self.window.size, self.panel_shown, shape, self.plots_shown, cards)
         self.window.surface.fill(self.colours.ground)
         if session is not self._session:
             self._session = session

@@ -26,7 +26,7 @@ FINE, FINE_SCALE = 2000, 1.5  # a desktop of so many pixels from top to bottom h
 LOWEST = 560  # pixels at scale 1: of a window whose panel is still of use
 
 
-class Layout:
+class WindowLayout:
     """The parts' rects in a window of `size` (width, height) in pixels, with the panel shown or not.
 
     Nothing lies over the sand: plots and cards take room from its part of the window.

@@ -21,7 +21,7 @@ class FrameCase:
 
 
 @dataclass(frozen=True)
-class Plan:
+class BenchPlan:
     """What to measure and how often."""
 
     rounds: int
@@ -50,7 +50,7 @@ GOAL_FRAMES = (
     FrameCase("fullhd", FULL_HD, FULL_HD, 16, goal=True),
     FrameCase("fullhd", FOUR_K, FOUR_K, 8, goal=True),
 )
-FULL = Plan(
+FULL = BenchPlan(
     rounds=9,
     sample_ms=4,
     batch=100,
@@ -83,7 +83,7 @@ FULL = Plan(
     starts=5,
     cold=True,
 )
-QUICK = Plan(
+QUICK = BenchPlan(
     rounds=5,
     sample_ms=2,
     batch=100,

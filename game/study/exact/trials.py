@@ -69,15 +69,15 @@ class Trial:
         return chain_of(*self.chain_name)
 
     def run(self, runs):
-        """Run the ensemble and return its Outcome at the moment of most uncertainty."""
+        """Run the ensemble and return its TrialResult at the moment of most uncertainty."""
         rule = Rule(*PROBABILITIES[self.probabilities], schedule=self.schedule)
         rows = LATTICES[self.lattice]
         iterations, chances = most_uncertain(self.chain, rule.probabilities)
         states = PATHS[self.path].states(rows, rule, iterations, runs, self.number << 32)
-        return Outcome(self, iterations, compare(states, self.chain, chances, len(rows) * len(rows[0])))
+        return TrialResult(self, iterations, compare(states, self.chain, chances, len(rows) * len(rows[0])))
 
 
-class Outcome(NamedTuple):
+class TrialResult(NamedTuple):
     """What became of a trial."""
 
     trial: Trial

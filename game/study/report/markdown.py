@@ -4,7 +4,7 @@ import io
 import json
 from math import isfinite
 
-from game.study.report.report import Picture, Row, blocks
+from game.study.report.report import Finding, Picture, blocks
 from game.study.report.table import Table
 from game.world.files.atomic import save
 
@@ -64,7 +64,7 @@ def as_dict(report):
 
 def _section_as_dict(section):
     pictures = [item for item in section.items if isinstance(item, Picture)]
-    notes = [str(item) for item in section.items if not isinstance(item, Row | Table | Picture)]
+    notes = [str(item) for item in section.items if not isinstance(item, Finding | Table | Picture)]
     return {
         "name": section.name,
         "title": section.title,

@@ -1,7 +1,7 @@
 """The report: rows with verdicts, tables, pictures and paragraphs, in sections.
 
 `close`, `same`, `within`, `claimed`, `likely` and `noted` each compare a measurement with what was expected, in their
-own way, and return the Row.
+own way, and return the Finding.
 """
 
 from collections import Counter
@@ -31,7 +31,7 @@ COLUMNS = (
 
 
 @dataclass(frozen=True)
-class Row:
+class Finding:
     """One quantity, what was measured, what was expected and why, and whether they agree."""
 
     quantity: str  # with its unit
@@ -63,7 +63,7 @@ class Section:
     @property
     def rows(self):
         """The rows among the items."""
-        return [item for item in self.items if isinstance(item, Row)]
+        return [item for item in self.items if isinstance(item, Finding)]
 
     @property
     def tables(self):
@@ -111,7 +111,7 @@ def verdict_table(rows):
 
 def blocks(items):
     """Yield the items with each run of Rows as one Table."""
-    for are_rows, group in groupby(items, lambda item: isinstance(item, Row)):
+    for are_rows, group in groupby(items, lambda item: isinstance(item, Finding)):
         if are_rows:
             yield verdict_table(group)
         else:
@@ -119,7 +119,7 @@ def blocks(items):
 
 
 def _row(quantity, measured, error, expected, source, holds):
-    return Row(quantity, measured, error, expected, source, AGREES if holds else DISAGREES)
+    return Finding(quantity, measured, error, expected, source, AGREES if holds else DISAGREES)
 
 
 def close(quantity, measured, error, expected, source, expected_error=0.0):
@@ -155,7 +155,7 @@ def likely(quantity, p_value, source):
 
 def noted(quantity, measured, error=None, expected="", source=""):
     """Report a measurement that nothing is to be compared with, or that is only to be looked at."""
-    return Row(quantity, measured, error, expected, source, NOTED)
+    return Finding(quantity, measured, error, expected, source, NOTED)
 
 
 def _range(low, high):

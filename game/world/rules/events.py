@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from game.world.files.checked_table import shown
 from game.world.rules.materials import CHANCE
-from game.world.rules.pictures import WAYS, Picture, PictureError, mirrored_order, placements, read_picture
+from game.world.rules.pictures import WAYS, BlockPicture, BlockPictureError, mirrored_order, placements, read_picture
 
 MOST = 96  # events of a rule, with those included
 MOST_CONDITIONS = 8
@@ -43,7 +43,7 @@ class Event:
 
     name: str
     layer: str
-    picture: Picture
+    picture: BlockPicture
     ways: str
     where: tuple  # of Condition
     chances: tuple
@@ -90,7 +90,7 @@ class Signs:
 
 
 def read_event(section, signs, included):
-    """Return the Event of a Section [[event]]."""
+    """Return the Event of a RuleSection [[event]]."""
     section.allow(_KEYS)
     name = section.line("name", "")
     if not 1 <= len(name) <= 60:
@@ -116,7 +116,7 @@ def _picture(section):
         raise section.error("picture", shown(text) if "picture" in section else "nothing", "a text of cells")
     try:
         return read_picture(text)
-    except PictureError as error:
+    except BlockPictureError as error:
         raise section.error("picture", *error.args) from None
 
 

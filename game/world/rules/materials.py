@@ -44,7 +44,7 @@ def sinks(upper, lower):
 
 
 def read_materials(section, chances):
-    """Return the Materials of the Section [materials] by code; `chances`: the names that their numbers may name."""
+    """Return the Materials of the RuleSection [materials] by code; `chances`: the names that their numbers may name."""
     if not 2 <= len(section.values) <= MOST:
         found = f"{len(section.values)} materials"
         raise section.error("", found, f"2 to {MOST}, as a cell has four bits: first the empty one, and {WALL!r}")
@@ -112,7 +112,7 @@ def _check_letters(section, materials):
 
 
 def read_groups(section, materials):
-    """Return {capital: frozenset of codes} of the Section [any]."""
+    """Return {capital: frozenset of codes} of the RuleSection [any]."""
     groups = {}
     for capital, words in section.values.items():
         if not re.fullmatch("[A-Z]", capital):

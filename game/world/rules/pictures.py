@@ -29,12 +29,12 @@ _SPOTS = {  # (height, width): for each place of the picture the corners that it
 }
 
 
-class PictureError(ValueError):
+class BlockPictureError(ValueError):
     """A picture that cannot be read; its two arguments are what was found and what is wanted."""
 
 
 @dataclass(frozen=True)
-class Picture:
+class BlockPicture:
     """What is drawn: a grid before, and the grids after, one for each outcome. Each is a tuple of rows of signs."""
 
     before: tuple
@@ -64,15 +64,17 @@ class Placement:
 
 
 def read_picture(text):
-    """Return the Picture that `text` draws; raise PictureError where it draws none."""
+    """Return the BlockPicture that `text` draws; raise BlockPictureError where it draws none."""
     rows = [[part for part in re.split(r"\s+|->|\|", row) if part] for row in text.split("\n") if row.strip()]
     if not 1 <= len(rows) <= 2 or len({len(row) for row in rows}) != 1 or not 2 <= len(rows[0]) <= 1 + MOST_OUTCOMES:
-        raise PictureError(f"{len(rows)} rows of {', '.join(str(len(row)) for row in rows[:3]) or 'no'} parts", WANTED)
+        raise BlockPictureError(
+            f"{len(rows)} rows of {', '.join(str(len(row)) for row in rows[:3]) or 'no'} parts", WANTED
+        )
     widths = {len(part) for row in rows for part in row}
     if len(widths) != 1 or max(widths) > 2:
-        raise PictureError(f"parts of {', '.join(map(str, sorted(widths)[:4]))} cells in a row", WANTED)
+        raise BlockPictureError(f"parts of {', '.join(map(str, sorted(widths)[:4]))} cells in a row", WANTED)
     before, *afters = zip(*rows, strict=True)
-    picture = Picture(before, tuple(afters))
+    picture = BlockPicture(before, tuple(afters))
     _check_signs(picture)
     return picture
 
@@ -82,9 +84,13 @@ def _check_signs(picture):
     for after in picture.afters:
         for was, becomes in zip(before, "".join(after), strict=True):
             if (was == "?") != (becomes == "?"):
-                raise PictureError(f"{was!r} that becomes {becomes!r}", "a cell that is '?' before to be '?' after")
+                raise BlockPictureError(
+                    f"{was!r} that becomes {becomes!r}", "a cell that is '?' before to be '?' after"
+                )
             if becomes.isupper() and becomes not in before:
-                raise PictureError(f"{becomes!r} in the after picture alone", "a letter that says which material it is")
+                raise BlockPictureError(
+                    f"{becomes!r} in the after picture alone", "a letter that says which material it is"
+                )
 
 
 def placements(picture, ways):

@@ -17,7 +17,7 @@ class RuleError(TableError):
         super().__init__(f"{file}:{line}" if line else file, place, found, wanted)
 
 
-class Section(CheckedTable):
+class RuleSection(CheckedTable):
     """A table of a rule file. `lines`: {key: line}, with the table's own line at the key ''."""
 
     def __init__(self, file, values, where, lines):
@@ -38,7 +38,7 @@ class Section(CheckedTable):
 
 
 class RuleText:
-    """A rule file, read: `root` is the Section of its top-level keys."""
+    """A rule file, read: `root` is the RuleSection of its top-level keys."""
 
     def __init__(self, path):
         self.path = path
@@ -49,12 +49,12 @@ class RuleText:
             line = re.match(r"line (\d+)", error.told[0])
             raise RuleError(path, line and line[1], *error.told) from None
         self._lines = _lines_of(self.text)
-        self.root = Section(path, values, "", self._lines.get(("", 0), {}))
+        self.root = RuleSection(path, values, "", self._lines.get(("", 0), {}))
 
     def section(self, key):
-        """Return the Section [key]; an empty one where there is none."""
+        """Return the RuleSection [key]; an empty one where there is none."""
         value = self.root.table(key).values
-        return Section(self.path, value, f"{key}: ", self._lines.get((key, 0), {"": self.root.lines.get(key, 0)}))
+        return RuleSection(self.path, value, f"{key}: ", self._lines.get((key, 0), {"": self.root.lines.get(key, 0)}))
 
     def sections(self, key, most):
         """Return the Sections of the array [[key]], at most so many, each named by its number or by its own name."""
@@ -67,7 +67,7 @@ class RuleText:
         name = values.get("name")
         title = shown(name) if isinstance(name, str) else str(number + 1)
         lines = self._lines.get((key, number), {"": self.root.lines.get(key, 0)})
-        return Section(self.path, values, f"{key} {title}: ", lines)
+        return RuleSection(self.path, values, f"{key} {title}: ", lines)
 
 
 def _lines_of(text):

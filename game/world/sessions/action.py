@@ -113,7 +113,7 @@ class Load:
 IN_PLACE = Paint, Draw, Fill, Clear  # acts that change the planes of a world; others make new ones or leave them
 
 
-class Outcome(NamedTuple):
+class Applied(NamedTuple):
     """What an act comes to."""
 
     world: World  # the one given, changed in place, or another
@@ -128,37 +128,37 @@ def apply(action, world, rule):
 
 
 def perform(action, world, rule):
-    """Return the Outcome of `action`; the world given is changed in place or replaced."""
+    """Return what `action` makes of a world and a rule; the world given is changed in place or replaced."""
     match action:
         case Paint():
-            return Outcome(world, rule, *_paint(action, world))
+            return Applied(world, rule, *_paint(action, world))
         case Draw():
-            return Outcome(world, rule, *_draw(action, world))
+            return Applied(world, rule, *_draw(action, world))
         case Fill():
-            return Outcome(world, rule, *_fill(action, world))
+            return Applied(world, rule, *_fill(action, world))
         case Flip():
             before = world.same()
             world.flip()
-            return Outcome(world, rule, NO_GRAINS, not alike(before, world))
+            return Applied(world, rule, NO_GRAINS, not alike(before, world))
         case Turn():
             turned = world.turned(action.quarters)
-            return Outcome(turned, rule, NO_GRAINS, not alike(world, turned))
+            return Applied(turned, rule, NO_GRAINS, not alike(world, turned))
         case Reshape():
             reshaped, grains = _reshape(action, world)
-            return Outcome(reshaped, rule, grains, not alike(world, reshaped))
+            return Applied(reshaped, rule, grains, not alike(world, reshaped))
         case SetFixtures():
             before, world.fixtures = world.fixtures, action.fixtures
-            return Outcome(world, rule, NO_GRAINS, before != world.fixtures)
+            return Applied(world, rule, NO_GRAINS, before != world.fixtures)
         case Clear():
             grains = tuple(-each for each in world.grains_by_colour)
             if any(grains):
                 world.clear()
-            return Outcome(world, rule, grains, any(grains))
+            return Applied(world, rule, grains, any(grains))
         case SetRule():
-            return Outcome(world, action.rule, NO_GRAINS, action.rule != rule)
+            return Applied(world, action.rule, NO_GRAINS, action.rule != rule)
         case Load():
             loaded, loaded_rule = action.scene.world(action.seed), action.scene.rule
-            return Outcome(loaded, loaded_rule, NO_GRAINS, loaded_rule != rule or not alike(world, loaded))
+            return Applied(loaded, loaded_rule, NO_GRAINS, loaded_rule != rule or not alike(world, loaded))
     raise TypeError(f"not an action: {action!r}")
 
 

@@ -12,7 +12,7 @@ from game.play.plots import charts
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.theme import Theme
-from game.play.window.layout import Layout
+from game.play.window.layout import WindowLayout
 from game.world.sand.grain_account import GrainAccount
 from game.world.sessions.action import Clear, Paint
 from game.world.sessions.measurements import COLUMNS
@@ -23,8 +23,8 @@ from tests.play.player import Player
 @pytest.mark.parametrize("shape", [(240, 180), (90, 400), (1, 1)])
 @pytest.mark.parametrize(("size", "scale"), [((640, 480), 1), ((1280, 720), 1), ((1280, 720), 2), ((3840, 2160), 3)])
 def test_the_plots_take_room_from_the_sand_alone(size, scale, shape, panel_shown):
-    with_plots = Layout(Theme(scale), size, panel_shown, shape, plotted=True)
-    without = Layout(Theme(scale), size, panel_shown)
+    with_plots = WindowLayout(Theme(scale), size, panel_shown, shape, plotted=True)
+    without = WindowLayout(Theme(scale), size, panel_shown)
     parts = [with_plots.sand, with_plots.bar, with_plots.status_line, *[with_plots.panel] * panel_shown]
     assert (with_plots.bar, with_plots.status_line, with_plots.panel) == (
         without.bar,

@@ -4,11 +4,11 @@ import pygame
 import pytest
 
 from game.play.trials import timer_trial
-from game.play.trials.timer_trial import Trial, table, trials
+from game.play.trials.timer_trial import TimedRun, table, trials
 
 
 def test_a_timer_of_a_second_ends_on_time_by_the_real_clock():
-    report = timer_trial.play(Trial(1.0, "paper", strokes=True, changes=True), 3)
+    report = timer_trial.play(TimedRun(1.0, "paper", strokes=True, changes=True), 3)
     pygame.display.quit()
     assert report["fallen"] and report["late_s"] >= 0 and report["iterations"] > 0
     assert report["late_s"] < timer_trial.ALLOWED_S + max(report["frame_s"], report["worst_frame_s"])

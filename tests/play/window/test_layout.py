@@ -7,7 +7,7 @@ import pytest
 
 from game.play import loop
 from game.play.ui.theme import Theme
-from game.play.window.layout import LARGEST, Layout, first_scale, first_size, fitting_scale, window_size
+from game.play.window.layout import LARGEST, WindowLayout, first_scale, first_size, fitting_scale, window_size
 from game.play.window.window import Window
 from game.world.files.settings import Settings
 from game.world.looks.view import View
@@ -78,7 +78,7 @@ def test_all_parts_have_a_place_of_their_own(size, scale, shape):
     theme, window = Theme(fitting_scale(scale, size)), pygame.Rect(0, 0, *size)
     for panel, plotted, legend, figures in product((True, False), repeat=4):
         cards = ("legend",) * legend + ("figures",) * figures
-        layout = Layout(theme, size, panel, shape, plotted, cards)
+        layout = WindowLayout(theme, size, panel, shape, plotted, cards)
         assert set(layout.cards) == set(cards)
         rects = [layout.sand, layout.bar, layout.status_line, *layout.cards.values(), *[layout.panel] * panel]
         rects += [layout.plots] if layout.plots else []
@@ -89,5 +89,5 @@ def test_all_parts_have_a_place_of_their_own(size, scale, shape):
 @pytest.mark.parametrize("cards", [("legend",), ("figures",), ("legend", "figures")])
 def test_cards_beside_a_glass_leave_it_where_it_is(cards):
     theme, shape = Theme(1.0), (240, 180)
-    alone, with_cards = (Layout(theme, (1280, 720), True, shape, cards=each).sand for each in ((), cards))
+    alone, with_cards = (WindowLayout(theme, (1280, 720), True, shape, cards=each).sand for each in ((), cards))
     assert View.fit(shape, *alone) == View.fit(shape, *with_cards)

@@ -17,7 +17,7 @@ from tests.cells import NAMES, random_world, rows_of
 
 SHAPES = [(1, 1), (1, 7), (9, 1), (2, 2), (61, 61), (9, 127), (8, 128), (7, 129), (300, 20)]
 HOURGLASS = plan.FrameCase("hourglass", None, None, 3)
-TINY = plan.Plan(
+TINY = plan.BenchPlan(
     rounds=2,
     sample_ms=0.01,
     batch=4,
