@@ -1,6 +1,7 @@
 """The frame step: the iterations of one frame, forwards, or on the way to another moment."""
 
 import time
+from functools import partial
 
 from game.play.view.frame_stats import own_ns
 from game.world.looks.motion_samples import MotionSamples
@@ -63,7 +64,14 @@ class FrameStep:
             view.end_turn()
         drawn = self._settings["smooth_streams"] and not self._display.window.hidden
         session.streams = self._streams if drawn else None
-        session.frame(elapsed_ns, max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS), self._due())
+        budget_ns, due = max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS), self._due()
+        frame = partial(session.frame, elapsed_ns, budget_ns, due)
+        of_clock = 0 if session.paused else 1 + int(session.clock.speed * elapsed_ns / 1e9)
+        if session.timeline.meets(of_clock if due is None else due):
+            session.due = session.done = 0
+            self._sessions.slowly("Doing again what was done …", frame)
+        else:
+            frame()
 
     def _due(self):
         for each in self._pacers:
@@ -83,4 +91,4 @@ class FrameStep:
         if goal == timeline.goal:
             timeline.catch_up(SEEK_NS)
         elif goal != session.now:
-            session.seek(goal, SEEK_NS)
+            self._sessions.slowly("Computing the sand …", partial(session.seek, goal, SEEK_NS))

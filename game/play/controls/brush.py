@@ -9,7 +9,7 @@ from game.play.controls.gestures import Press, Span, Trail
 from game.play.view.outlines import box_outline, brush_outline, mark
 from game.world.sand import parameters
 from game.world.sand.sand_colours import AMBER, COLOURS, DYES
-from game.world.sessions.action import KINDS, SHAPES, USUAL_SHAPE, Draw, Fill, box, snap
+from game.world.sessions.action import KINDS, SHAPES, USUAL_SHAPE, Fill, Paint, SetFixtures, box, snap
 
 MATERIALS = ("sand", "wall", "erase")
 TOOLS = {  # the gesture that each makes
@@ -29,6 +29,12 @@ SIZES = (1, 2, 3, 5, 8, 13, 21, 34, 55)  # diameters that the number keys give, 
 LEFT, RIGHT = 1, 3
 
 
+class Deed:
+    """What a gesture has come to so far."""
+
+    acted = False  # it has changed something
+
+
 class Brush:
     """What the pointer paints with, and the gesture that it is making."""
 
@@ -43,7 +49,7 @@ class Brush:
         self.every = parameters.EVERY.default  # iterations from one grain of a new tap to the next
         self.edge_only = False  # rectangles and ellipses are drawn as their outline, as thick as the brush
         self._gesture = self._button = None
-        self.acted = False  # the gesture has changed something
+        self.deed = Deed()  # of the gesture
         self._erasing = False  # the gesture erases whatever the material
         self._at = None  # where the gesture has come to, and whether it goes straight
         self._before_pick = "brush"
@@ -126,7 +132,7 @@ class Brush:
         """Begin the tool's gesture; `erase`: with nothing. A brush that goes `straight` draws a line."""
         tool = "brush" if erase and self.tool in ("pick", "tap", "drain") else self.tool
         gesture = Span if straight and tool == "brush" else TOOLS[tool]
-        self._erasing, self.acted = erase, False
+        self._erasing, self.deed = erase, Deed()
         self._gesture = gesture(self, place, self._sessions.now.world)
         self.move(place)
 
@@ -148,7 +154,7 @@ class Brush:
     def let_go(self):
         """End the gesture with what it has done so far."""
         self._gesture = self._button = None
-        self._erasing = self.acted = False
+        self._erasing, self.deed = False, Deed()
 
     def marks(self, place, view):
         """Return the Marks that show what the tool reaches from a place, or what the gesture will draw."""
@@ -164,13 +170,23 @@ class Brush:
 
     def _do(self, acts):
         """Let acts of the gesture happen; undo takes all of them back together."""
-        join = self.acted
+        world = self._sessions.now.world
         for act in acts:
-            if isinstance(act, Fill | Draw):
-                self._sessions.slowly("Painting …", partial(self._act, act, join))
-            else:
-                self._act(act, join)
-            join = True
+            self._sessions.slowly("Painting …", partial(self._act, act, self.deed), _reach(act, world))
 
-    def _act(self, act, join):
-        self.acted = self._sessions.do(act, join) or self.acted
+    def _act(self, act, deed):
+        deed.acted = self._sessions.do(act, join=deed.acted) or deed.acted
+
+
+def _reach(act, world):
+    """Return how many cells an act goes over at most."""
+    height, width = world.shape
+    if isinstance(act, Fill):
+        return height * width
+    if isinstance(act, SetFixtures):
+        return 0
+    left, top, right, bottom = box(act.start, act.end)
+    beyond = act.diameter if isinstance(act, Paint) else 0
+    across = min(right + beyond, width) - max(left - beyond, 0)
+    down = min(bottom + beyond, height) - max(top - beyond, 0)
+    return max(across, 0) * max(down, 0)

@@ -202,10 +202,10 @@ class Camera:
 
     def _take_back_stroke(self):
         """End the stroke that the first of two fingers began, and undo it if it came down only just before."""
-        acted = self._brush.acted
+        stroke = self._brush.deed
         self._brush.let_go()
-        if acted and self._display.now_s - self._since_s < MISTAKE_S:
-            self._sessions.now.undo(budget_ns=SEEK_NS)
+        if self._display.now_s - self._since_s < MISTAKE_S:
+            self._sessions.slowly("Undoing …", lambda: stroke.acted and self._sessions.now.undo(budget_ns=SEEK_NS))
 
     def _pixel_of(self, event):
         width, height = self._display.window.size

@@ -40,7 +40,7 @@ class TimeCommands:
 
     def await_flow(self):
         """Run until a grain next passes the neck."""
-        self._fast_forward.await_flow()
+        self._sessions.slowly("Looking for the neck …", self._fast_forward.await_flow)
 
     def toggle_timer(self):
         """Start the timer, or stop it."""

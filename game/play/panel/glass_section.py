@@ -1,6 +1,7 @@
 """The panel's section of the glass: an hourglass changed under one's eyes, with how long it will run."""
 
 from dataclasses import replace
+from functools import partial
 
 from game.world.sand.duration import spell
 from game.world.sand.parameters import SIDE
@@ -36,15 +37,15 @@ class GlassSection:
         if glass is None:
             ui.text("This scene is not a glass. You can turn it into one; the sand stays in it.", dim=True)
             if ui.button("Make a glass"):
-                self._reshape(_glass_on(self._sessions.now.world.shape))
+                self._put(_glass_on(self._sessions.now.world.shape))
             return
         changed = self._slid(ui, glass)
         held = ui.focus.held is not None
         if changed != glass:
-            self._reshape(changed, changed.fill != glass.fill, join=self._turning)
+            self._put(changed, changed.fill != glass.fill, join=self._turning)
         self._turning = held and (self._turning or changed != glass)
         if ui.button("Refill", tip="Removes all sand and fills the upper bulb"):
-            self._reshape(glass, refill=True)
+            self._put(glass, refill=True)
         run_out = self._planner.ask() or self._planner.newest
         ui.text(running_time(self._sessions.now, run_out), dim=True)
 
@@ -60,7 +61,12 @@ class GlassSection:
                 glass = replace(glass, **{each.name: turned})
         return glass
 
-    def _reshape(self, glass, refill=False, join=False):
+    def _put(self, glass, refill=False, join=False):
+        height, width = self._sessions.now.world.shape
+        act = partial(self._reshape, glass, refill, join)
+        self._sessions.slowly("Making the glass …", act, max(height * width, glass.height * glass.width))
+
+    def _reshape(self, glass, refill, join):
         """Put a glass in place; one whose bulb cannot hold the sand is filled anew, for nothing would flow in it.
 
         So are those that follow in the same drag: most of the sand is gone.

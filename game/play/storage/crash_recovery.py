@@ -37,11 +37,14 @@ class CrashRecovery:
         self._question.ask("Resume your last session?", text, answers)
 
     def _resume(self, path):
-        self._background.do(partial(Journal.resume, path), self._open)
+        self._background.do(partial(Journal.resume, path), self._take)
 
-    def _open(self, found):
-        """Open (the Journal, its Recording), paused where it was left."""
-        kept, recording = found
+    def _take(self, found):
+        height, width = found[1].scene.shape
+        self._sessions.slowly("Opening your last session …", partial(self._open, *found), height * width)
+
+    def _open(self, kept, recording):
+        """Open the session of a Journal and its Recording, paused where it was left."""
         session = Session.retold(recording)
         session.journal, session.paused = kept, True
         self._sessions.open(session)

@@ -55,12 +55,14 @@ class Files:
     def _take(self, found):
         what, name = found
         if isinstance(what, Recording):
-            self.play(what, name)
+            height, width = what.scene.shape
+            self._sessions.slowly(f"Opening {name} …", partial(self.play, what, name), height * width)
         elif isinstance(what, Photo):
             self._photo_import.show(what)
         else:
             scene, seed = what if isinstance(what, SeededScene) else (what, self._sessions.now.seed)
-            self._sessions.slowly(f"Opening {name} …", partial(self._open_scene, scene, seed, name), scene.shape)
+            height, width = scene.shape
+            self._sessions.slowly(f"Opening {name} …", partial(self._open_scene, scene, seed, name), height * width)
 
     def _open_scene(self, scene, seed, name):
         opened = scene.problem or f"Opened {name}. Ctrl+Z takes you back."

@@ -6,7 +6,7 @@ from game.world.scenes.scene import load_scene, scene_title
 from game.world.sessions.action import Load
 from game.world.sessions.session import SEEK_NS
 
-LARGE = 2**23  # cells: an act on all of a larger lattice takes longer than a frame, and so is announced
+LARGE = 2**23  # cells: an act on more takes longer than a frame, and so is announced
 MOST_WAITING = 4  # when more sessions wait, the second one is dropped, never the first, the player's own
 
 
@@ -20,29 +20,26 @@ class Sessions:
         self._waiting = []
         self._has_waited = False  # in this frame, for the sand to be computed
         self.words = ""  # what is about to be done, for the status line
-        self._announced = None  # … and how
+        self._announced = []  # … and how, in order
 
     def begin_frame(self):
         """Let `ready` wait again, and do what the last frame has announced."""
         self._has_waited = False
-        self._keep_word()
+        acts, self.words, self._announced = self._announced, "", []
+        for act in acts:
+            act()
 
-    def slowly(self, words, act, shape=None):
-        """Call act(), which takes long on a large lattice: there in the next frame, when this one has said so.
+    def slowly(self, words, act, cells=None):
+        """Call act(), which takes long on many cells: then in the next frame, when this one has said so.
 
-        shape: (height, width) of the lattice, if it is not the one that is played.
+        cells: how many it goes over, if not the lattice that is played. What follows something announced waits for it.
         """
-        self._keep_word()
-        height, width = shape or self.now.world.shape
-        if height * width < LARGE:
+        height, width = self.now.world.shape
+        if not self._announced and (height * width if cells is None else cells) < LARGE:
             act()
         else:
-            self.words, self._announced = words, act
-
-    def _keep_word(self):
-        act, self.words, self._announced = self._announced, "", None
-        if act:
-            act()
+            self.words = words
+            self._announced.append(act)
 
     def ready(self):
         """Return whether the session's sand is computed; wait for that a little, once a frame, else say so."""

@@ -128,6 +128,10 @@ class Timeline:
             self.goal = None
         return self.goal is None
 
+    def meets(self, iterations):
+        """Return whether an act of the line lies on so many iterations ahead."""
+        return bool(self._ahead) and self._ahead[-1].at <= self.moment.now + iterations
+
     def forget_beyond(self):
         """Let this moment be the latest known, unless the line has acts still to come."""
         self.reached = max(self.now, self.history.line.at)

@@ -7,8 +7,10 @@ from game.play.storage import open_sessions
 from game.play.storage.recorder import image_of_sand
 from game.world.scenes.scene import load_scene
 from game.world.sessions.action import Flip
+from game.world.sessions.moment import Moment
 from game.world.sessions.session import BUDGET_NS, SEEK_NS, Session
 from game.world.sessions.timeline import Timeline
+from tests.play.player import Player
 
 CTRL = pygame.KMOD_LCTRL
 SHIFT = pygame.KMOD_LSHIFT
@@ -292,6 +294,64 @@ def test_what_takes_long_is_announced_by_a_frame_before(player, monkeypatch, cod
     player.frame()
     assert player.session is not session or player.world.digest() != before
     assert done not in str(player.parts.renderer._strips)
+
+
+@pytest.mark.parametrize(
+    "do",
+    [
+        lambda one: one.drag(one.pixel(5, 5), one.pixel(60, 60)),
+        lambda one: one.key(pygame.K_c, "c"),
+        lambda one: one.key(pygame.K_f, "f"),
+        lambda one: one.key(pygame.K_r, "r"),
+        lambda one: one.drag(one.control("Neck", 0.3), one.control("Neck", 0.6)),
+        lambda one: one.drag(one.control("Glass size", 0.3), one.control("Glass size", 0.6)),
+        lambda one: one.click(one.control("Refill")),
+        lambda one: one.drag(on_bar(one, 0.1), on_bar(one, 0.7)),
+        lambda one: (one.session.seek(0), one.session.clock.__setattr__("speed", 6000.0), one.wait(9)),
+    ],
+)
+def test_no_act_on_many_cells_comes_before_a_picture_that_says_so(monkeypatch, do):
+    one = Player("hourglass", size=(900, 1400))
+    one.unfold("Glass")
+    one.session.timeline.run(300)
+    one.session.do(Flip())
+    one.session.timeline.run(300)
+    one.session.seek(100)
+    monkeypatch.setattr(open_sessions, "LARGE", 100)
+    said, took, frame, take = [""], [], one.app.frame, Moment.take
+
+    def framed(*told):
+        changed = frame(*told)
+        said.append(one.parts.sessions.words)
+        return changed
+
+    def taken(moment, action):
+        if moment is one.session.timeline.moment:
+            took.append((action, said[-1]))
+        return take(moment, action)
+
+    monkeypatch.setattr(one.app, "frame", framed)
+    monkeypatch.setattr(Moment, "take", taken)
+    do(one)
+    one.wait(3)
+    assert took and all(words for _, words in took)
+    assert not one.parts.sessions.words
+    pygame.display.quit()
+
+
+def test_strokes_that_are_announced_are_one_step_and_leave_nothing_out(player, monkeypatch):
+    places = [player.pixel(*place) for place in ((5, 5), (60, 60), (90, 20), (20, 70))]
+    player.hold_time()
+    player.drag(*places)
+    painted = player.world.digest()
+    player.session.undo()
+    empty = player.world.digest()
+    monkeypatch.setattr(open_sessions, "LARGE", 200)
+    player.drag(*places)
+    player.wait(2)
+    assert player.world.digest() == painted != empty
+    player.session.undo()
+    assert player.world.digest() == empty
 
 
 def test_streams_stay_smooth_while_time_is_held_and_in_the_picture_of_the_sand(glass, monkeypatch):
