@@ -35,6 +35,8 @@ class FrameStep:
         """Run what is due; while the glass turns, time stands still."""
         start, worked = time.perf_counter_ns(), own_ns()
         self._run(elapsed_ns, now_s)
+        if self._way_since_s is None and self._sessions.now.timeline.goal is not None:
+            self._way_since_s = now_s
         self._own_ns, self.moving_ns = time.perf_counter_ns() - start, own_ns() - worked
 
     def note(self, work_ns):
@@ -46,8 +48,6 @@ class FrameStep:
         if self._sessions.now.timeline.goal is None:
             self._way_since_s = None
             return False
-        if self._way_since_s is None:
-            self._way_since_s = now_s
         return now_s - self._way_since_s < LONG_WAY_S
 
     def _run(self, elapsed_ns, now_s):
