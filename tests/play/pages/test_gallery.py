@@ -1,6 +1,5 @@
 """Laws of the gallery: every scene runs in it, can be opened by pointer and by keyboard, and no frame waits for one."""
 
-import os
 import threading
 import time
 
@@ -8,7 +7,6 @@ import numpy as np
 import pygame
 import pytest
 
-from game.world.files.paths import folder_of
 from game.world.scenes.scene import load_scene, scene_names
 
 
@@ -164,19 +162,3 @@ def test_what_is_said_of_an_empty_shelf_is_all_there_in_a_small_window(player):
     said = list(gallery._empty())
     assert " ".join(text for _, _, text, *_ in said) == gallery.shelf.empty
     assert all(theme.width(text, kind) <= rect.width for _, rect, text, kind, *_ in said)
-
-
-@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="no pipes here")
-def test_a_pipe_among_the_saved_scenes_is_not_waited_for(player):
-    folder = folder_of("scenes")
-    folder.mkdir(parents=True, exist_ok=True)
-    for suffix in (".png", ".toml"):
-        os.mkfifo(folder / f"pipe{suffix}")
-    player.key(pygame.K_s, mod=pygame.KMOD_CTRL)
-    player.settle()
-    player.parts.commands.files.open_scenes()
-    until = time.monotonic() + 20
-    while player.parts.background.busy and time.monotonic() < until:
-        player.frame()
-    assert not player.parts.background.busy
-    player.parts.close()
