@@ -179,3 +179,17 @@ def call_pass(typingctx, address, words, at, may, origin, key, chances, size):
 
     handed = words, at, may, origin, key, chances, size
     return numba.types.int64(address, *handed), generate
+
+
+@intrinsic
+def call_words(typingctx, address, at, first, size):
+    """Call a pass of `core.compiler.word_pass` at an address, with the addresses in `at` from its place `first`."""
+
+    def generate(context, builder, signature, args):
+        data = context.make_array(signature.args[1])(context, builder, args[1]).data
+        start = builder.ptrtoint(builder.gep(data, [args[2]]), _WORD)
+        kind = ir.FunctionType(ir.VoidType(), [_WORD, _WORD])
+        builder.call(builder.inttoptr(args[0], kind.as_pointer()), [start, args[3]])
+        return context.get_dummy_value()
+
+    return numba.types.none(address, at, numba.types.int64, numba.types.int64), generate

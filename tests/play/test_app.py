@@ -5,7 +5,7 @@ import pygame
 import pytest
 
 from game import Rule
-from game.core.draw.cells import LOOKS, WALL
+from game.core.draw.looks import EDGE, RIM, WALL, WOOD, WOOD_EDGE, WOOD_RIM
 from game.world.scenes.scene import load_scene
 from game.world.sessions.action import SetRule
 from game.world.sessions.session import Session
@@ -268,7 +268,7 @@ def test_what_is_drawn_is_the_world(glass):
             if world.sand[row, column]
             else colours.air
             if not world.walls[row, column]
-            else range(WALL, LOOKS)
+            else (WOOD, WOOD_RIM, WOOD_EDGE, WALL, RIM, EDGE)
         )
         assert near & set(looks), (row, column)
 

@@ -1,157 +1,86 @@
 """Planes to colours: one pass from bits to a window's pixels.
 
-A cell's *look* is a number of four bits, worked out from bit planes, 64 cells at a time: what it is, and what lies
-around it. With the *shade* of its place, two bits, it makes a code, and the codes of two neighbours together find the
-colours of both in one table. Where sand has colours, a look has two bits more, which leaves room for those of a colour
-in the looks of sand, and the table is a larger one.
+A cell's *look* is a number of four bits, or of six where a world has many looks, worked out from bit planes by a pass
+made for the world's substances, see `looks`. With the *shade* of its place, two bits, it makes a code, and the codes of
+two neighbours together find the colours of both in one table.
 """
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
+from game.core.compiler.machine_code import MachineCode
+from game.core.compiler.word_pass import transposed, word_pass
+from game.core.draw.looks import falling, look_bits
 from game.core.draw.motion_blur import blend_row
-from game.core.jit import gate, kernel
-from game.core.planes import BITS, COLOURS, DEPTH, SAND, WALLS
+from game.core.draw.rows import RowStreams, addresses, find_row, find_sides, room_for
+from game.core.jit import call_words, gate, kernel
+from game.core.planes import BITS
 
 TEXTURE = 64  # side of the texture of shades, in cells; a power of two
 SHADES = 4
-LOOKS = 16
-# What a cell looks like. The two upper bits tell air, sand, walls and wooden walls apart, but for the last of both.
-AIR, AIR_BY_WALL, INSIDE, INSIDE_BY_WALL = range(4)  # inside of a glass
-GRAIN, SURFACE, UNDER, GRAIN_BY_WALL = range(4, 8)  # a surface has nothing on it, and lies on what is under it
-WALL, RIM, EDGE, GLEAM = range(8, 12)  # a rim has no wall above or at its left, an edge below or at its right
-WOOD, WOOD_RIM, WOOD_EDGE, POST = range(12, 16)
-DYED_LOOKS = 64  # looks in a world with colours: those above unless it is sand …
-DYED_SAND = 32  # … whose looks start here: GRAIN in each colour, then SURFACE in each, and so on
 
-_ZERO = np.uint64(0)
-_ONE = np.uint64(1)
-_LAST = np.uint64(BITS - 1)
+_LOW = 4  # bits of a look that come first
 _BYTE = np.uint64(255)
+_UPPER = np.uint64(12)  # where the upper bits of the looks of two neighbours lie in their code
 _UPPER_BITS, _ONE_BIT = np.uint32(0xFEFEFEFE), np.uint32(1)  # all of each channel but the lowest bit
 _POINT_BITS = 20  # positions in a turned picture are fixed-point numbers with this many binary places
 _POINT = 1 << _POINT_BITS
 
 
-@gate
-def _left_of(planes, plane, start, word, words):
-    """Return the cells to the left of a word of a row of walls: of its own bits there, and wall before column 0."""
-    if plane & 1:
-        return planes[plane - 1, start + word]
-    if word > 0:
-        return planes[plane + 1, start + word - 1]
-    return (planes[plane + 1, start + words - 1] << _ONE) | _ONE
+class _Compiled(NamedTuple):
+    code: MachineCode
+    reader: RowStreams
+    writes: int
+
+
+@lru_cache(maxsize=32)
+def _compiled(substances, decorated, depth):
+    """Return the pass that works out a row's looks: those of two neighbours as bytes, then where things could fall."""
+    reader = RowStreams(substances.bits, decorated, depth)
+
+    def work_out(streams):
+        bits, spaces = [], []
+        for around, decor, colours in reader.parities(streams):
+            bits.append([*look_bits(substances, around, decor, colours), 0, 0, 0][:6])
+            spaces.append(falling(substances, around.own)[1])
+        halves = [bits[0][:_LOW] + bits[1][:_LOW], bits[0][_LOW:] + bits[1][_LOW:] + [0] * 4]
+        return [word for half in halves if any(half) for word in transposed(half)] + spaces
+
+    code, writes = word_pass(work_out, reader.reads)
+    return _Compiled(code, reader, writes)
+
+
+class CellPass:
+    """Draws cells of some Substances in rows of `words` words, in memory of its own."""
+
+    def __init__(self, substances, words, decorated, depth):
+        self._made = _compiled(substances, decorated, depth)
+        reader = self._made.reader
+        self._room, self._sides = room_for(words, self._made.writes + 1), room_for(words, 2 * reader.bits)
+        places = addresses(self._room)
+        self._nothing = places[-1]
+        self._at = np.concatenate([np.zeros(reader.moving, np.int64), addresses(self._sides), places[:-1]])
+        self._outside = substances.outside
+
+    def draw(self, planes, where, decor, *how):
+        """Draw rows of planes as `draw_cells` does; decor: as many planes as the pass was made for, may be none."""
+        places = self._made.reader.places(planes, where, decor)
+        looked = self._made.code.address, places, self._at, self._nothing, self._outside, self._sides, self._room
+        draw_cells(planes, looked, decor, where.stride, where.words, *how)
 
 
 @gate
-def _right_of(planes, plane, start, word, words):
-    """Return the cells to the right of a word of a row of walls; wall after the last column."""
-    if not plane & 1:
-        return planes[plane + 1, start + word]
-    if word < words - 1:
-        return planes[plane - 1, start + word + 1]
-    return (planes[plane - 1, start] >> _ONE) | (_ONE << _LAST)
-
-
-@gate
-def _bits_of_row(planes, decor, stride, words, y, parity, bits):
-    """Write the four bits of the looks of the columns of one parity of lattice row y to `bits`, (4, words) uint64."""
-    row, plane = y >> 1, 2 * (y & 1) + parity
-    start, other = row * stride, plane ^ 2
-    above, below = start - stride * (1 - (y & 1)), start + stride * (y & 1)
-    for word in range(words):
-        sand, walls = planes[SAND + plane, start + word], planes[WALLS + plane, start + word]
-        walls_above = sand_above = covered_above = _ZERO
-        if y > 0:
-            sand_above, walls_above = planes[SAND + other, above + word], planes[WALLS + other, above + word]
-        if y > 1:
-            above_that = start - stride + word
-            covered_above = planes[SAND + plane, above_that] | planes[WALLS + plane, above_that]
-        beside = _left_of(planes, WALLS + plane, start, word, words)
-        right = _right_of(planes, WALLS + plane, start, word, words)
-        under = planes[WALLS + other, below + word]
-        near = beside | right | walls_above | under
-        air = ~(sand | walls)
-        lit = sand & ~(sand_above | walls_above)
-        by_wall = sand & (beside | right | walls_above) & ~lit
-        beneath = sand & sand_above & ~covered_above & ~by_wall
-        rim = walls & ~(beside & walls_above)
-        edge = walls & ~rim & ~(right & under)
-        low, high = lit | by_wall | rim | (air & near), beneath | by_wall | edge
-        wall, sand_or_wood = walls, sand
-        if decor is not None:
-            first, second = decor[plane, start + word], decor[4 + plane, start + word]
-            behind = air & second
-            wall |= behind
-            sand_or_wood |= (walls | behind) & first
-            low |= behind
-            high |= behind | (air & first)
-        bits[0, word], bits[1, word], bits[2, word], bits[3, word] = low, high, sand_or_wood, wall
-
-
-@gate
-def _dye_bits(planes, stride, words, y, parity, bits, more):
-    """Make the looks of a row in `bits` those of a world with colours; more: (2, words) uint64, the two upper bits."""
-    start, plane = (y >> 1) * stride, COLOURS + 2 * (y & 1) + parity
-    for word in range(words):
-        at = start + word
-        low, high, sand_or_wood, wall = bits[0, word], bits[1, word], bits[2, word], bits[3, word]
-        sand = sand_or_wood & ~wall
-        bits[0, word] = (sand & planes[plane, at]) | (low & ~sand)
-        bits[1, word] = (sand & planes[plane + 4, at]) | (high & ~sand)
-        bits[2, word] = (sand & planes[plane + 8, at]) | (sand_or_wood & ~sand)
-        bits[3, word] = wall | (sand & low)
-        more[0, word], more[1, word] = sand & high, sand
-
-
-@gate
-def _transposed(x):
-    """Return a matrix of 8×8 bits with its rows and columns changed over (Warren, Hacker's Delight, 7-3)."""
-    t = (x ^ (x >> np.uint64(7))) & np.uint64(0x00AA00AA00AA00AA)
-    x ^= t ^ (t << np.uint64(7))
-    t = (x ^ (x >> np.uint64(14))) & np.uint64(0x0000CCCC0000CCCC)
-    x ^= t ^ (t << np.uint64(14))
-    t = (x ^ (x >> np.uint64(28))) & np.uint64(0x00000000F0F0F0F0)
-    return x ^ t ^ (t << np.uint64(28))
-
-
-@gate
-def _spread(bits, words, room, looks):
-    """Write the looks of a row to `looks`, those of two neighbours in eight bits of a uint16, padded to whole words.
-
-    bits: (8, words) uint64, the bits of the looks of the even and of the odd columns. room: (words,) uint64.
-    """
-    for part in range(BITS // 8):
-        shift = np.uint64(8 * part)
+def _spread(room, words, looks):
+    """Write the looks of a row to `looks`, the code of two neighbours in a uint16, from the bytes in `room`."""
+    for lane in range(looks.size // words):  # so many that the compiler does not unroll it
+        place, row, first = np.uint64(8 * (lane >> 3)), lane & 7, lane * words
         for word in range(words):
-            eight = _ZERO
-            for k in range(8):
-                eight |= ((bits[k, word] >> shift) & _BYTE) << np.uint64(8 * k)
-            room[word] = _transposed(eight)
-        for bit in range(8):
-            first, place = (8 * part + bit) * words, np.uint64(8 * bit)
+            looks[first + word] = np.uint16((room[row, word] >> place) & _BYTE)
+        if len(room) > 16:
             for word in range(words):
-                looks[first + word] = np.uint16((room[word] >> place) & _BYTE)
-
-
-@gate
-def _spread_more(more, words, room, looks):
-    """Add the two upper bits of the looks in a world with colours: those of two neighbours are the uppermost four.
-
-    more: (4, words) uint64, the bits of the even and of the odd columns.
-    """
-    for part in range(BITS // 8):
-        shift = np.uint64(8 * part)
-        for word in range(words):
-            four = _ZERO
-            for k in range(4):
-                four |= ((more[k, word] >> shift) & _BYTE) << np.uint64(8 * k)
-            room[word] = _transposed(four)
-        for bit in range(8):
-            first, place = (8 * part + bit) * words, np.uint64(8 * bit)
-            for word in range(words):
-                looks[first + word] |= np.uint16(((room[word] >> place) & _BYTE) << np.uint64(12))
+                looks[first + word] |= np.uint16(((room[8 + row, word] >> place) & _BYTE) << _UPPER)
 
 
 @gate
@@ -169,30 +98,18 @@ def _copy(source, first, target, start, size):
         target[to + j] = source[of + j]
 
 
-class Row(NamedTuple):
-    """Working memory for one lattice row."""
-
-    bits: np.ndarray  # (8, words) uint64: the bits of the looks of the even and of the odd columns
-    more: np.ndarray  # (4, words) uint64: the upper ones in a world with colours
-    room: np.ndarray  # (words,) uint64
-    looks: np.ndarray  # (64·words,) uint16: those of two neighbours
-
-
 @gate
-def _cells_of_row(planes, decor, dyed, stride, words, y, shades, pairs, samples, blends, row, colours):
+def _cells_of_row(planes, looked, decor, stride, words, y, shades, pairs, samples, trail, blends, looks, colours):
     """Write the colours of lattice row y, those of two neighbours a word, to (64·words,) uint64."""
-    _bits_of_row(planes, decor, stride, words, y, 0, row.bits[:4])
-    _bits_of_row(planes, decor, stride, words, y, 1, row.bits[4:])
-    if dyed is not None:
-        _dye_bits(planes, stride, words, y, 0, row.bits[:4], row.more[:2])
-        _dye_bits(planes, stride, words, y, 1, row.bits[4:], row.more[2:])
-    _spread(row.bits, words, row.room, row.looks)
-    if dyed is not None:
-        _spread_more(row.more, words, row.room, row.looks)
-    _colours_of_row(row.looks, shades[y % TEXTURE], pairs, colours)
+    address, places, at, nothing, outside, sides, room = looked
+    find_row(places, y, stride, len(sides) >> 1, nothing, at)
+    find_sides(planes, y, stride, words, outside, sides)
+    call_words(address, at, 0, words)
+    _spread(room, words, looks)
+    _colours_of_row(looks, shades[y % TEXTURE], pairs, colours)
     if samples.shape[0]:
-        cells = colours.view(np.uint32)
-        blend_row(planes, decor, dyed, samples, stride, words, y, shades[y % TEXTURE], blends, cells)
+        spaces, cells = room[len(room) - 3 : len(room) - 1], colours.view(np.uint32)
+        blend_row(spaces, decor, trail, samples, stride, words, y, shades[y % TEXTURE], blends, cells)
 
 
 @gate
@@ -217,24 +134,19 @@ def _mix_neighbours(cells, mixed):
 
 @kernel
 def draw_cells(
-    planes, decor, dyed, stride, words, columns, rows, ends, shades, pairs, samples, blends, pixels, top, left
+    planes, looked, decor, stride, words, columns, rows, ends, shades, pairs, samples, trail, blends, pixels, top, left
 ):
     """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
-    decor: None, or what stands still behind or in the cells, see core.decor. dyed: None, or True where sand has
-    colours. columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the lattice row of each
-    pixel row from `top`. shades: (TEXTURE, 64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives.
-    samples, blends: those of `core.streams.blend_row`, or no samples.
+    looked: how a `CellPass` works out looks. decor: what stands still behind or in the cells, see core.decor, or
+    no planes. columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the lattice row of
+    each pixel row from `top`. shades: (TEXTURE, 64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives.
+    samples, trail, blends: those of `motion_blur.blend_row`, or no samples.
 
     ends: int32, the last lattice row of each pixel row, where a pixel may hold two by two cells, which it then mixes;
     elsewhere none. Then columns of those that hold two are 128·words more than the first of them.
     """
-    row = Row(
-        np.empty((8, words), np.uint64),
-        np.empty((4, words), np.uint64),
-        np.empty(words, np.uint64),
-        np.empty(BITS * words, np.uint16),
-    )
+    looks = np.empty(BITS * words, np.uint16)
     colours = np.empty((3, BITS * words), np.uint64)  # of a row; of each two neighbours mixed; of the next row
     cells = colours[:2].reshape(-1).view(np.uint32)
     own, mixed, others = colours[0].view(np.uint32), colours[1].view(np.uint32), colours[2].view(np.uint32)
@@ -249,7 +161,8 @@ def draw_cells(
         two = len(ends) > 0 and ends[i] > y
         for k in range(2 if two else 1):  # a loop, since to compile the row's work twice takes seconds
             here = y if k == 0 else ends[i]
-            _cells_of_row(planes, decor, dyed, stride, words, here, shades, pairs, samples, blends, row, colours[2 * k])
+            to = colours[2 * k]
+            _cells_of_row(planes, looked, decor, stride, words, here, shades, pairs, samples, trail, blends, looks, to)
         if two:
             _mix(own, others)
         if len(ends):
@@ -267,18 +180,11 @@ def mixed_columns(edges, words):
     return (first + np.where(last > first, 2 * BITS * words, 0)).astype(np.uint32)
 
 
-def dyed(look):
-    """Return the looks in a world with colours of what would look so without: eight for sand, by colour, else one."""
-    if GRAIN <= look <= GRAIN_BY_WALL:
-        return np.arange(2**DEPTH) + DYED_SAND + 2**DEPTH * (look - GRAIN)
-    return np.array([look])
-
-
 def pairs_of(palette):
     """Return the uint64 colours of two neighbours, the left one in the lower half.
 
-    palette: (LOOKS or DYED_LOOKS, SHADES) uint32. A pair's place, from the lowest bit: four bits of the left one's
-    look, four of the right one's, the left one's shade, the right one's; then the upper bits of the looks, if any.
+    palette: (MOST_LOOKS, SHADES) uint32. A pair's place, from the lowest bit: four bits of the left one's look, four of
+    the right one's, the left one's shade, the right one's; then the upper bits of the looks.
     """
     place = np.arange(len(palette) ** 2 * SHADES**2)
     left, right = place & 15 | place >> 8 & 0b110000, place >> 4 & 15 | place >> 10 & 0b110000

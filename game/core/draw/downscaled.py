@@ -1,43 +1,33 @@
 """Planes to colours where a pixel holds many cells: they are counted, 64 columns at a time, and their light is mixed.
 
-It is done kind by kind. Seven rows at a time are added up bit by bit: each word of a row has a stack of words, whose
-d-th holds the d-th digits of its columns' counts. Where pixels are wide, neighbouring columns are added up in that way.
-Then the stacks are transposed, so that each count is a byte, and summed along each lane, the neighbouring columns that
-are one bit of all words of a row: so the cells between any two edges of pixels are the difference of two sums.
-
-All working memory is one flat array of rows, since the compiler has to check separate arrays for overlap, and indices
-are unsigned, since signed ones may count from the end: either keeps it from working on whole vectors. The large parts
-are kernels of their own, so that most of them is compiled once for lattices with and without decor or colours.
+It is done sort by sort, see `looks.counted`. Seven rows at a time are added up bit by bit: each word of a row has a
+stack of words, whose d-th holds the d-th digits of its columns' counts. Where pixels are wide, neighbouring columns are
+added up in that way. Then the stacks are transposed, so that each count is a byte, and summed along each lane, the
+neighbouring columns that are one bit of all words of a row: so the cells between any two edges of pixels are the
+difference of two sums. All but the last is done by passes over words.
 """
+
+from functools import lru_cache
 
 import numpy as np
 
-from game.core.jit import gate, kernel
-from game.core.planes import BITS, COLOURS, DEPTH, SAND, WALLS
+from game.core.compiler.word_pass import transposed, word_pass
+from game.core.draw.looks import counted
+from game.core.draw.rows import RowStreams, addresses, find_row
+from game.core.jit import call_words, gate, kernel
+from game.core.planes import BITS, LINE, aligned
 
-KINDS = 3  # what is counted: sand, that part of it that has nothing on it, walls
-DECOR_KINDS = 4  # and in decorated lattices: wooden walls, the inside of a glass, its reflections, posts
-DYES = 2**DEPTH - 1  # and where sand has colours: sand of each but the first
 LIGHTS = 4096  # levels of linear light that are told apart
+DIGITS = 8  # of a count, which is taken out of the words as a byte
+TOGETHER = 7  # rows added up at a time
 
-_GRAINS, _LIT, _WALL, _WOOD, _INSIDE, _GLEAM, _POST, _DYED = range(8)
 _PAIRED, _FOURFOLD = 8, 16  # cells to a pixel from which its edges may move by an eighth of it, to even columns or more
-_MOST = 255  # cells in one count, which is taken out of the words as a byte
-_DIGITS = np.uint64(8)
-_ROW = np.uint64(
-    272
-)  # words from one row of working memory to the next: even columns, 128 words at most, then odd ones
-_ODD = np.uint64(136)
-_BITS, _STACKS, _OTHERS = np.uint64(0), np.uint64(7) * _ROW, np.uint64(15) * _ROW  # where bits and stacks start
-_SCRATCH = 23 * 272
+_MOST = 2**DIGITS - 1  # cells in one count
 _SUMS = np.uint64(16)  # words that hold the sums of all lanes, in 16 bits each
-
 _NONE = np.float32(-1e9)  # no amount of light
 _GREEN, _BLUE = np.uint64(16400), np.uint64(2 * 16400)  # where the green and the blue light of a row starts: more than
 # the widest lattice has columns
-_ZERO = np.uint64(0)
-_ONE, _TWO, _THREE, _FOUR, _EIGHT = np.uint64(1), np.uint64(2), np.uint64(3), np.uint64(4), np.uint64(8)
-_NIBBLES, _PAIRS, _SINGLES = np.uint64(0x0F0F0F0F0F0F0F0F), np.uint64(0x3333333333333333), np.uint64(0x5555555555555555)
+_ZERO, _ONE, _TWO, _EIGHT = np.uint64(0), np.uint64(1), np.uint64(2), np.uint64(8)
 _HALVES = np.uint64(0x00FF00FF00FF00FF)
 
 
@@ -65,169 +55,142 @@ def _columns_together(edges, words):
     return group
 
 
-@gate
 def _full_sum(x, y, z):
     """Return the digit and the carry of the sum of three bits."""
     return x ^ y ^ z, (x & y) | (z & (x ^ y))
 
 
-@gate
-def _lit(planes, plane, other, start, above, first, word):
-    """Return where the sand of a word has nothing on it; first: it is that of the uppermost row."""
-    covered = planes[SAND + other, above + word] | planes[WALLS + other, above + word]
-    return planes[SAND + plane, start + word] & (~covered | first)
+def _sum(ones, others):
+    """Return the digits of the sums of two stacks."""
+    digits, carry = [], 0
+    for one, other in zip(ones, others, strict=True):
+        digit, carry = _full_sum(one, other, carry)
+        digits.append(digit)
+    return digits
+
+
+def _add_rows(streams):
+    """Return the digits of a stack, which follows TOGETHER rows of bits, with the bits added."""
+    one, two = _full_sum(*(streams[each] for each in range(3)))
+    other, other_two = _full_sum(*(streams[each] for each in range(3, 6)))
+    one, last_two = _full_sum(one, other, streams[6])
+    two, four = _full_sum(two, other_two, last_two)
+    stack = [streams[TOGETHER + digit] for digit in range(DIGITS)]
+    return _sum(stack, [one, two, four] + [0] * (DIGITS - 3))
+
+
+def _each_column(streams):
+    """Return the counts of a stack as bytes: that of lane 8b + r becomes byte b of word r."""
+    return transposed(streams[digit] for digit in range(DIGITS))
+
+
+def _both_columns(streams):
+    """Return the sums of the counts of even and of odd columns as bytes."""
+    return transposed(_sum(*([streams[first + digit] for digit in range(DIGITS)] for first in (0, DIGITS))))
+
+
+def _four_columns(streams):
+    """Return the sums of the counts of every four columns as bytes; streams are read word pair by word pair."""
+    columns = [[streams[first + digit][word] for digit in range(DIGITS)] for first in (0, DIGITS) for word in (0, 1)]
+    return transposed(_sum(_sum(*columns[:2]), _sum(*columns[2:])))
+
+
+@lru_cache(maxsize=32)
+def _compiled(substances, decorated, depth):
+    """Return (pass, RowStreams, number of sorts): what finds the cells of each sort in the columns of each parity."""
+    reader = RowStreams(substances.bits, decorated, depth)
+
+    def find(streams):
+        parities = [counted(substances, *each) for each in reader.parities(streams)]
+        return [each for sort in zip(*parities, strict=True) for each in sort]
+
+    code, writes = word_pass(find, reader.reads)
+    return code, reader, writes // 2
+
+
+@lru_cache(maxsize=1)
+def _sums():
+    """Return the passes that add rows up, and that make bytes of counts of each, of both and of every four columns."""
+    shapes = (_add_rows, TOGETHER + DIGITS), (_each_column, DIGITS), (_both_columns, 2 * DIGITS)
+    return [word_pass(*each)[0] for each in shapes] + [word_pass(_four_columns, 2 * DIGITS, pairs=True)[0]]
+
+
+class CountPass:
+    """Draws the mean light of cells of some Substances in rows of `words` words, in memory of its own."""
+
+    def __init__(self, substances, words, decorated, depth):
+        code, self._reader, sorts = _compiled(substances, decorated, depth)
+        self._codes = np.array([code.address, *(each.address for each in _sums())], np.int64)
+        side = -(-words // LINE) * LINE + LINE  # words from even to odd columns: no vector goes on into others' words
+        rows = (TOGETHER + DIGITS) * sorts + DIGITS + 1
+        self._scratch = aligned(rows * 2 * side).reshape(rows, 2 * side)
+        self._scratch[:] = 0
+        places = addresses(self._scratch)
+        stacks, last = places[TOGETHER * sorts : -DIGITS - 1].reshape(sorts, DIGITS), places[-DIGITS - 1 : -1]
+        bits = places[: TOGETHER * sorts].reshape(TOGETHER, sorts).T
+        odd, last = stacks + 8 * side, np.tile(last, (sorts, 1))
+        self._at_sums = np.hstack([bits, stacks, stacks, stacks, last, stacks, odd, last])
+        self._at_find = np.zeros(self._reader.reads + 2 * sorts, np.int64)
+        self._nothing = places[-1]
+
+    def draw(self, planes, where, decor, *how):
+        """Draw rows of planes as `draw_density` does; decor: as many planes as the pass was made for, may be none."""
+        places = self._reader.places(planes, where, decor)
+        looked = places, self._at_find, self._nothing, self._reader.bits
+        draw_density(self._codes, looked, self._at_sums, self._scratch, where.stride, where.words, *how)
 
 
 @gate
-def _of_colour(planes, plane, at, colour):
-    """Return where the cells of a word have sand of a colour."""
-    low = planes[COLOURS + plane, at] ^ (_ZERO - np.uint64(~colour & 1))
-    middle = planes[COLOURS + 4 + plane, at] ^ (_ZERO - np.uint64(~(colour >> 1) & 1))
-    high = planes[COLOURS + 8 + plane, at] ^ (_ZERO - np.uint64(~(colour >> 2) & 1))
-    return planes[SAND + plane, at] & low & middle & high
-
-
-@gate
-def _bits_of_row(planes, decor, dyed, kind, stride, words, y, scratch, row):
-    """Write where in lattice row y there are cells of a kind: first the even, then the odd columns."""
-    start = np.uint64((y >> 1) * stride)
-    above = np.uint64(max(0, (y >> 1) - (1 - (y & 1))) * stride)
-    first = _ZERO - np.uint64(y == 0)
-    for parity in range(2):
-        plane, to = 2 * (y & 1) + parity, row + np.uint64(parity) * _ODD
-        other = plane ^ 2
-        if kind in (_GRAINS, _WALL):
-            what = plane + (SAND if kind == _GRAINS else WALLS)
-            for word in range(words):
-                scratch[to + word] = planes[what, start + word]
-        elif kind == _LIT:
-            for word in range(words):
-                scratch[to + word] = _lit(planes, plane, other, start, above, first, word)
-        elif kind >= _DYED:
-            if dyed:
-                for word in range(words):
-                    scratch[to + word] = _of_colour(planes, plane, start + word, kind - _DYED + 1)
-        elif decor is not None:
-            _bits_of_decor(planes, decor, kind, plane, start, words, scratch, to)
-
-
-@gate
-def _bits_of_decor(planes, decor, kind, plane, start, words, scratch, to):
-    not_first, not_second = _ZERO - np.uint64(kind == _GLEAM), _ZERO - np.uint64(kind == _INSIDE)
-    for word in range(words):
-        walls = planes[WALLS + plane, start + word]
-        first, second = decor[plane, start + word], decor[4 + plane, start + word]
-        if kind == _WOOD:
-            scratch[to + word] = walls & first
+def _find_rows(code, looked, at_sums, scratch, sorts, stride, words, top, bottom):
+    """Write where there are cells of each sort in TOGETHER lattice rows from `top`, none from `bottom` on."""
+    places, at, nothing, bits = looked
+    side = scratch.shape[1] >> 1
+    for row in range(TOGETHER):
+        first = row * sorts
+        if top + row < bottom:
+            find_row(places, top + row, stride, bits, nothing, at)
+            for sort in range(sorts):
+                to = len(at) - 2 * (sorts - sort)
+                at[to] = at_sums[sort, row]
+                at[to + 1] = at_sums[sort, row] + 8 * side
+            call_words(code, at, 0, words)
+            for sort in range(sorts):  # an odd one out has nothing beside it
+                scratch[first + sort, words] = scratch[first + sort, side + words] = _ZERO
         else:
-            air = ~(planes[SAND + plane, start + word] | walls)
-            scratch[to + word] = air & (first ^ not_first) & (second ^ not_second)
+            for sort in range(sorts):
+                _clear(scratch[first + sort])
 
 
 @gate
-def _add_rows(scratch, first, words):
-    """Add seven rows of bits to the stacks, from their word `first`."""
-    for i in range(first, first + words):
-        at = _BITS + i
-        one, two = _full_sum(scratch[at], scratch[at + _ROW], scratch[at + _TWO * _ROW])
-        at += _THREE * _ROW
-        other, other_two = _full_sum(scratch[at], scratch[at + _ROW], scratch[at + _TWO * _ROW])
-        one, last_two = _full_sum(one, other, scratch[at + _THREE * _ROW])
-        two, four = _full_sum(two, other_two, last_two)
-        at = _STACKS + i
-        scratch[at], carry = _full_sum(scratch[at], one, _ZERO)
-        scratch[at + _ROW], carry = _full_sum(scratch[at + _ROW], two, carry)
-        scratch[at + _TWO * _ROW], carry = _full_sum(scratch[at + _TWO * _ROW], four, carry)
-        for digit in range(_THREE, _DIGITS):
-            count = scratch[at + digit * _ROW]
-            scratch[at + digit * _ROW] = count ^ carry
-            carry &= count
+def _clear(row):
+    for i in range(len(row)):
+        row[i] = _ZERO
 
 
 @gate
-def _clear(scratch, first, size):
-    for i in range(size):
-        scratch[first + i] = _ZERO
-
-
-@kernel
-def _stack_rows(planes, decor, dyed, kind, stride, words, top, bottom, scratch):
-    """Count the cells of a kind of the lattice rows from `top` in every column; return whether there are any."""
-    some = _ZERO
-    for digit in range(_DIGITS):
-        _clear(scratch, _STACKS + digit * _ROW, _ODD + words)
-    for first in range(top, bottom, 7):
-        for k in range(7):
-            row = _BITS + np.uint64(k) * _ROW
-            if first + k < bottom:
-                _bits_of_row(planes, decor, dyed, kind, stride, words, first + k, scratch, row)
-                for word in range(words):
-                    some |= scratch[row + word] | scratch[row + _ODD + word]
-            else:
-                _clear(scratch, row, _ODD + words)
-        _add_rows(scratch, _ZERO, words)
-        _add_rows(scratch, _ODD, words)
-    return some != _ZERO
+def _stack_rows(codes, looked, at, scratch, stride, words, top, bottom, seen):
+    """Count the cells of each sort of the lattice rows from `top` in every column; note which there are any of."""
+    sorts, side = len(seen), scratch.shape[1] >> 1
+    stacks = TOGETHER * sorts
+    for row in range(stacks, stacks + DIGITS * sorts):
+        _clear(scratch[row])
+    for first in range(top, bottom, TOGETHER):
+        _find_rows(codes[0], looked, at, scratch, sorts, stride, words, first, bottom)
+        for sort in range(sorts):
+            call_words(codes[1], at, sort * at.shape[1], side + words)
+    for sort in range(sorts):
+        some = _ZERO
+        for row in range(stacks + DIGITS * sort, stacks + DIGITS * (sort + 1)):
+            for word in range(words):
+                some |= scratch[row, word] | scratch[row, side + word]
+        seen[sort] = some != _ZERO
 
 
 @gate
-def _add_parities(scratch, words):
-    """Write the sums of the counts of even and of odd columns to the other stacks."""
-    for i in range(words):
-        carry = _ZERO
-        for digit in range(_DIGITS):
-            at = digit * _ROW + i
-            one, other = scratch[_STACKS + at], scratch[_STACKS + at + _ODD]
-            scratch[_OTHERS + at], carry = _full_sum(one, other, carry)
-
-
-@gate
-def _add_neighbours(scratch, words):
-    """Write the sums of every two words' counts in the other stacks; an odd one out has nothing beside it."""
-    for digit in range(_DIGITS):
-        scratch[_OTHERS + digit * _ROW + words] = _ZERO
-    for i in range((words + _ONE) >> _ONE):
-        carry = _ZERO
-        for digit in range(_DIGITS):
-            at = digit * _ROW
-            one, other = scratch[_OTHERS + at + _TWO * i], scratch[_OTHERS + at + _TWO * i + _ONE]
-            scratch[_STACKS + at + i], carry = _full_sum(one, other, carry)
-
-
-@gate
-def _swapped(x, y, shift, mask):
-    """Return two words that have changed the bits under `mask` of one for those `shift` higher of the other."""
-    t = ((x >> shift) ^ y) & mask
-    return x ^ (t << shift), y ^ t
-
-
-@gate
-def _transpose(scratch, stacks, size):
-    """Make bytes of the counts, in place: that of lane 8b + r becomes byte b of word r of its stack."""
-    for i in range(size):
-        at = stacks + i
-        lower = at + _FOUR * _ROW
-        a, b, c, d = scratch[at], scratch[at + _ROW], scratch[at + _TWO * _ROW], scratch[at + _THREE * _ROW]
-        e, f, g, h = scratch[lower], scratch[lower + _ROW], scratch[lower + _TWO * _ROW], scratch[lower + _THREE * _ROW]
-        a, e = _swapped(a, e, _FOUR, _NIBBLES)
-        b, f = _swapped(b, f, _FOUR, _NIBBLES)
-        c, g = _swapped(c, g, _FOUR, _NIBBLES)
-        d, h = _swapped(d, h, _FOUR, _NIBBLES)
-        a, c = _swapped(a, c, _TWO, _PAIRS)
-        b, d = _swapped(b, d, _TWO, _PAIRS)
-        e, g = _swapped(e, g, _TWO, _PAIRS)
-        f, h = _swapped(f, h, _TWO, _PAIRS)
-        scratch[at], scratch[at + _ROW] = _swapped(a, b, _ONE, _SINGLES)
-        scratch[at + _TWO * _ROW], scratch[at + _THREE * _ROW] = _swapped(c, d, _ONE, _SINGLES)
-        scratch[lower], scratch[lower + _ROW] = _swapped(e, f, _ONE, _SINGLES)
-        scratch[lower + _TWO * _ROW], scratch[lower + _THREE * _ROW] = _swapped(g, h, _ONE, _SINGLES)
-
-
-@gate
-def _add_to_sums(scratch, counted, sums, at):
+def _add_to_sums(scratch, word, sums, at):
     """Write the sums at a place, from those before it and the bytes of one word."""
     for r in range(_EIGHT):
-        counts = scratch[counted + r * _ROW]
+        counts = scratch[len(scratch) - 9 + r, word]
         sums[at + r] = sums[at - _SUMS + r] + (counts & _HALVES)
         sums[at + _EIGHT + r] = sums[at - _EIGHT + r] + ((counts >> _EIGHT) & _HALVES)
 
@@ -264,27 +227,22 @@ def _count_spans(sums, size, starts, places, before, counts):
         counts[i] += before[i + 1] - before[i]
 
 
-@kernel
-def _count_kind(scratch, words, group, starts, places, sums, flat, before, counts):
-    """Add to `counts` the cells of the kind that has been stacked in each pixel."""
-    size = words
+@gate
+def _count_sort(codes, at, scratch, words, sort, group, starts, places, sums, flat, before, counts):
+    """Add to `counts` the cells of a sort that has been stacked in each pixel."""
+    side, first = scratch.shape[1] >> 1, sort * at.shape[1] + TOGETHER + 2 * DIGITS
     if group == 1:
-        _transpose(scratch, _STACKS, words)
-        _transpose(scratch, _STACKS + _ODD, words)
+        size = 2 * words
+        call_words(codes[2], at, first, side + words)
         for word in range(words):
-            _add_to_sums(scratch, _STACKS + word, sums, (_TWO * word + _ONE) * _SUMS)
-            _add_to_sums(scratch, _STACKS + _ODD + word, sums, (_TWO * word + _TWO) * _SUMS)
-        size = _TWO * words
+            _add_to_sums(scratch, word, sums, np.uint64(2 * word + 1) * _SUMS)
+            _add_to_sums(scratch, side + word, sums, np.uint64(2 * word + 2) * _SUMS)
     else:
-        _add_parities(scratch, words)
-        stacks = _OTHERS
-        if group == 4:
-            _add_neighbours(scratch, words)
-            stacks, size = _STACKS, (words + _ONE) >> _ONE
-        _transpose(scratch, stacks, size)
+        size = words if group == 2 else (words + 1) >> 1
+        call_words(codes[3 if group == 2 else 4], at, first + 2 * DIGITS, size)
         for word in range(size):
-            _add_to_sums(scratch, stacks + word, sums, (word + _ONE) * _SUMS)
-    _count_spans(flat, np.int64(size), starts, places, before, counts)
+            _add_to_sums(scratch, word, sums, np.uint64(word + 1) * _SUMS)
+    _count_spans(flat, size, starts, places, before, counts)
 
 
 @gate
@@ -292,20 +250,20 @@ def _level(light):
     return np.uint32(min(max(light, np.float32(0.0)), np.float32(LIGHTS - 1)))
 
 
-@kernel
+@gate
 def _mix_row(counts, seen, cells, lights, channels, light, line, left):
-    """Write the colours of a row of pixels, from the counts of the kinds seen and the share of a cell in each pixel."""
+    """Write the colours of a row of pixels, from the counts of the sorts seen and the share of a cell in each pixel."""
     width = np.uint64(counts.shape[1])
     for i in range(width):
         light[i] = lights[0, 0] + 0.5
         light[_GREEN + i] = lights[0, 1] + 0.5
         light[_BLUE + i] = lights[0, 2] + 0.5
-    for kind in range(counts.shape[0]):
-        if seen[kind]:
-            of_kind, more = counts[kind], lights[1 + kind]
+    for sort in range(counts.shape[0]):
+        if seen[sort]:
+            of_sort, more = counts[sort], lights[1 + sort]
             red, green, blue = np.float32(more[0]), np.float32(more[1]), np.float32(more[2])
             for i in range(width):
-                share = np.float32(of_kind[i]) * cells[i]
+                share = np.float32(of_sort[i]) * cells[i]
                 light[i] += share * red
                 light[_GREEN + i] += share * green
                 light[_BLUE + i] += share * blue
@@ -319,36 +277,33 @@ def _mix_row(counts, seen, cells, lights, channels, light, line, left):
 
 
 @kernel
-def draw_density(planes, decor, dyed, stride, words, columns, rows, lights, channels, pixels, top, left):
+def draw_density(codes, looked, at, scratch, stride, words, columns, rows, lights, channels, pixels, top, left):
     """Draw the mean light of the cells of each pixel into `pixels`, an (h, w) uint32 array, in place.
 
-    decor: None, or what stands still behind or in the cells, see core.decor. dyed: whether sand has
-    colours. columns: int32, the lattice columns between which the pixels from `left` lie, one more than they are, all
-    different; those that `shift_edges` gives are drawn sooner. rows: int32, the same for the rows from `top`. lights:
-    (1 + kinds, 3) float64, the light of air in levels of 0 … LIGHTS - 1, then what a cell of each kind adds to it: the
-    KINDS, with decor the DECOR_KINDS, with colours the DYES. channels: (3, LIGHTS) uint32, a level as part of a colour.
+    codes, looked, at, scratch: how a `CountPass` counts cells. columns: int32, the lattice columns between which the
+    pixels from `left` lie, one more than they are, all different; those that `shift_edges` gives are drawn sooner.
+    rows: int32, the same for the rows from `top`. lights: (1 + sorts, 3) float64, the light of air in levels of
+    0 … LIGHTS - 1, then what a cell of each sort adds to it. channels: (3, LIGHTS) uint32, a level as part of a colour.
     """
-    width, group = len(columns) - 1, _columns_together(columns, words)
-    kinds = KINDS + (0 if decor is None else DECOR_KINDS) + (DYES if dyed else 0)
-    scratch = np.zeros(_SCRATCH, np.uint64)
+    width, group, sorts = len(columns) - 1, _columns_together(columns, words), len(lights) - 1
     sums = np.zeros((2 * words + 1) * 16, np.uint64)
     flat = sums.view(np.uint16)
     starts, places = np.empty(BITS + 1, np.uint64), np.empty(width + 1, np.uint32)
-    before, counts = np.empty(width + 1, np.int32), np.empty((kinds, width), np.int32)
-    seen = np.empty(kinds, np.bool_)
+    before, counts = np.empty(width + 1, np.int32), np.empty((sorts, width), np.int32)
+    seen, ever_seen = np.empty(sorts, np.bool_), np.empty(sorts, np.bool_)
     cells, light = np.empty(width, np.float32), np.empty(3 * _GREEN, np.float32)
     _find_edges(columns, words, group, starts, places)
     most = _MOST // group
     for i in range(len(rows) - 1):
         counts[:] = 0
-        seen[:] = False
-        for k in range(kinds):
-            kind = k + DECOR_KINDS if decor is None and k >= KINDS else k
-            for first in range(rows[i], rows[i + 1], most):
-                after = min(first + most, rows[i + 1])
-                if _stack_rows(planes, decor, dyed, kind, stride, np.uint64(words), first, after, scratch):
-                    _count_kind(scratch, np.uint64(words), group, starts, places, sums, flat, before, counts[k])
-                    seen[k] = True
+        ever_seen[:] = False
+        for first in range(rows[i], rows[i + 1], most):
+            after = min(first + most, rows[i + 1])
+            _stack_rows(codes, looked, at, scratch, stride, words, first, after, seen)
+            for sort in range(sorts):
+                if seen[sort]:
+                    ever_seen[sort], here = True, counts[sort]
+                    _count_sort(codes, at, scratch, words, sort, group, starts, places, sums, flat, before, here)
         for j in range(width):
             cells[j] = np.float32(1.0) / np.float32((columns[j + 1] - columns[j]) * (rows[i + 1] - rows[i]))
-        _mix_row(counts, seen, cells, lights, channels, light, pixels[top + i], left)
+        _mix_row(counts, ever_seen, cells, lights, channels, light, pixels[top + i], left)

@@ -8,7 +8,6 @@ the longest are caps, and posts stand behind the ends of two caps.
 import numpy as np
 
 from game.core.jit import gate, kernel
-from game.core.planes import WALLS as WALL_PLANES
 from game.core.planes import pack, unpack
 
 FREE, INSIDE, GLEAM, POST = range(4)  # of a cell without a wall
@@ -22,9 +21,9 @@ GLEAMS = (0.09, 0.125), (0.885, 0.9)  # where, in parts of a run
 POST_GAP, POST_WIDTH = 120, 36  # to a cell of post or of the gap beside it: so many cells of cap
 
 
-def decor_of(planes, where):
-    """Return the decor planes of a lattice's walls: (8, length) uint64, the first and then the second bits."""
-    places = places_of(unpack(planes, where, WALL_PLANES))
+def decor_of(walls, where):
+    """Return the decor planes of a lattice's walls, given as four planes: (8, length) uint64, the first bits first."""
+    places = places_of(unpack(walls, where))
     return pack((places & 1).view(np.bool_), (places >> 1).view(np.bool_))[:8]
 
 

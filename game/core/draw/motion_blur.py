@@ -4,13 +4,18 @@ Grains fall in whole cells, so that a thin stream shows the phases of the cycle 
 out. The cells of each sample are kept as planes, and how many samples hold sand is counted for 64 cells at a time.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
-from game.core.jit import gate, kernel
-from game.core.planes import COLOURS, DEPTH, WALLS
+from game.core.compiler.word_pass import word_pass
+from game.core.draw.looks import falling
+from game.core.draw.rows import addresses
+from game.core.jit import call_words, gate, kernel
+from game.core.planes import LINE
 
 SAMPLES = 4  # a cycle of any schedule: what repeats with it is the same in every mean
-PLANES = 4  # of a sample: sand alone
+PLANES = 4  # of a sample: where there is something that falls
 
 _ZERO = np.uint64(0)
 _ONE = np.uint64(1)
@@ -32,23 +37,13 @@ def _bit(word, place):
 
 
 @gate
-def _colour_at(planes, dyed, plane, at, place):
-    """Return the colour of the grain that is in a cell or was the last one there."""
-    if dyed is None:
-        return _ZERO
-    colour = _ZERO
-    for k in range(DEPTH):
-        colour |= _bit(planes[COLOURS + 4 * k + plane, at], place) << np.uint64(k)
-    return colour
-
-
-@gate
-def blend_row(planes, decor, dyed, samples, stride, words, y, shades, blends, cells):
+def blend_row(spaces, decor, trail, samples, stride, words, y, shades, blends, cells):
     """Put the mean of the samples into `cells`, the colours of lattice row y, wherever not all samples are the same.
 
-    samples: (SAMPLES, PLANES, length) uint64. shades: the row's shades, those of two neighbours a uint16, as
-    `pixels.shades_of` gives them. blends: (colours, SAMPLES - 1, 4, SHADES) uint32, what holds sand of each colour in
-    1 … samples looks like before each kind of place of `decor`, in each shade. dyed: as for `pixels.draw_cells`.
+    spaces: (2, …) uint64, where things could fall in even and in odd columns. samples: (SAMPLES, PLANES, length)
+    uint64. trail: four planes for each bit of the number of what fell last through a cell. shades: the row's shades,
+    those of two neighbours a uint16, as `cells.shades_of` gives them. blends: (numbers, SAMPLES - 1, 4, SHADES) uint32,
+    what holds that in 1 … samples looks like before each kind of place of `decor`, in each shade.
     """
     start = (y >> 1) * stride
     for parity in range(2):
@@ -56,7 +51,7 @@ def blend_row(planes, decor, dyed, samples, stride, words, y, shades, blends, ce
         for word in range(words):
             at = start + word
             a, b, c, d = samples[0, plane, at], samples[1, plane, at], samples[2, plane, at], samples[3, plane, at]
-            moving = (a | b | c | d) & ~(a & b & c & d) & ~planes[WALLS + plane, at]
+            moving = (a | b | c | d) & ~(a & b & c & d) & spaces[parity, word]
             if moving == _ZERO:
                 continue
             low, high = _counted(a, b, c, d)
@@ -64,23 +59,48 @@ def blend_row(planes, decor, dyed, samples, stride, words, y, shades, blends, ce
                 lowest = moving & (~moving + _ONE)
                 moving ^= lowest
                 place = _PLACES[(lowest * np.uint64(_SEQUENCE)) >> np.uint64(58)]
-                count, ground = _bit(low, place) | (_bit(high, place) << _ONE), _ZERO
-                if decor is not None:
+                count, ground, number = _bit(low, place) | (_bit(high, place) << _ONE), _ZERO, _ZERO
+                if len(decor):
                     ground = _bit(decor[plane, at], place) | (_bit(decor[4 + plane, at], place) << _ONE)
+                for bit in range(len(trail) >> 2):
+                    number |= _bit(trail[4 * bit + plane, at], place) << np.uint64(bit)
                 pair = np.uint64(place) * np.uint64(words) + np.uint64(word)
                 shade = (shades[pair] >> np.uint16(8 + 2 * parity)) & np.uint16(3)
-                cells[2 * pair + np.uint64(parity)] = blends[
-                    _colour_at(planes, dyed, plane, at, place), count - _ONE, ground, shade
-                ]
+                cells[2 * pair + np.uint64(parity)] = blends[number, count - _ONE, ground, shade]
+
+
+@lru_cache(maxsize=32)
+def _compiled(substances, trailing):
+    bits = substances.bits
+
+    def take(streams):
+        own = [streams[bit] for bit in range(bits)]
+        falls = falling(substances, own)[0]
+        trail = [(own[bit] & falls) | (streams[bits + bit] & ~falls) for bit in range(bits * trailing)]
+        return [falls, *trail]
+
+    return word_pass(take, bits + bits * trailing)[0]
+
+
+def take_sample(substances, planes, sample, trail, *which):
+    """Copy what falls in bands that moved within a cycle to `sample`, (PLANES, length) uint64, in place.
+
+    trail: four planes for each bit of a code, or none: the codes of what falls are copied there. which: see `_take`.
+    """
+    bits, length = 4 * substances.bits, planes.shape[1]
+    rows = [addresses(each).reshape(-1, PLANES) for each in (planes[:bits], trail, sample[:PLANES], trail)]
+    _take(_compiled(substances, len(trail) > 0).address, np.ascontiguousarray(np.vstack(rows).T), length, *which)
 
 
 @kernel
-def take_sample(planes, sample, left, stamps, stamp, band_words, stride, length):
-    """Copy the sand of bands that moved within a cycle to `sample`, (PLANES, length) uint64, in place.
+def _take(address, places, length, left, stamps, stamp, band_words, stride):
+    """Take a sample of bands by a pass at an address.
 
-    left: uint8, in how many samples more each band is to be copied, counted down here. stamps: when each band changed;
-    one that did after `stamp` is copied SAMPLES times. A band's blocks reach a row into the next.
+    places: (PLANES, …) int64, the addresses of its streams. left: uint8, in how many samples more each band is to be
+    copied, counted down here. stamps: when each band changed; one that did after `stamp` is copied SAMPLES times. A
+    band's blocks reach a row into the next.
     """
+    at = np.empty(places.shape[1], np.int64)
     for band in range(len(left)):
         if stamps[band] > stamp:
             left[band] = SAMPLES
@@ -88,7 +108,7 @@ def take_sample(planes, sample, left, stamps, stamp, band_words, stride, length)
             continue
         left[band] -= 1
         start = band * band_words
-        end = min(start + band_words + stride, length)
         for plane in range(PLANES):
-            for i in range(start, end):
-                sample[plane, i] = planes[plane, i]
+            for k in range(len(at)):
+                at[k] = places[plane, k] + 8 * start
+            call_words(address, at, 0, min(band_words + stride, length - LINE - start))

@@ -11,7 +11,7 @@ import pygame
 from game.play.storage.gif_writer import GifWriter
 from game.world.files.paths import new_name, save_new
 from game.world.looks import painter as picture
-from game.world.looks.themes import NIGHT, dyed_palette
+from game.world.looks.themes import NIGHT, palette
 from game.world.looks.view import View
 from game.world.sessions.moment import Lookahead, Moment
 from game.world.sessions.snapshots import nearest
@@ -151,7 +151,7 @@ class Film:
         scale = min(cell, LARGEST_GIF[0] / width, LARGEST_GIF[1] / height)
         scale = int(scale) if scale >= 1 else scale
         size = max(1, round(height * scale)), max(1, round(width * scale))
-        self.colours = _rgb(dyed_palette(colours, walls).reshape(1, -1)).tobytes()  # the palette of a GIF
+        self.colours = _rgb(palette(colours, walls).reshape(1, -1)).tobytes()  # the palette of a GIF
         places = itertools.count()
         view = View(shape, 0, 0, *size[::-1])
         self._painter = picture.Painter(view, colours, walls, lambda *_: next(places), mixes=False)

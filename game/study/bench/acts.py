@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from game.core.draw.cells import AIR, AIR_BY_WALL, EDGE, GRAIN, GRAIN_BY_WALL, RIM, SURFACE, UNDER, WALL
+from game.core.draw.looks import AIR, AIR_BY_WALL, EDGE, GRAIN, GRAIN_BY_WALL, RIM, SURFACE, UNDER, WALL
 from game.study.bench import worlds
 from game.study.bench.checks import WrongCellsError, same_as_twin
 from game.study.bench.rounds import MILLISECONDS, Workload, ours, take_turns

@@ -39,7 +39,7 @@ def steps(rule, walls, cell=1, coloured=False, fixtures=()):
     walls: what they are made of. cell: pixels to a cell. coloured: whether the sand has colours. fixtures: its
     taps and drains.
     """
-    return moving_steps(rule, coloured, fixtures) + drawing_steps(walls, cell, coloured)
+    return moving_steps(rule, coloured, fixtures) + drawing_steps(walls, cell)
 
 
 def moving_steps(rule, coloured=False, fixtures=()):
@@ -51,9 +51,9 @@ def moving_steps(rule, coloured=False, fixtures=()):
     ]
 
 
-def drawing_steps(walls, cell=1, coloured=False):
+def drawing_steps(walls, cell=1):
     """Return the steps of `steps` that draw."""
-    return [("drawing", lambda: _draw(walls, cell, coloured))]
+    return [("drawing", lambda: _draw(walls, cell))]
 
 
 def later_steps(rule):
@@ -64,17 +64,12 @@ def later_steps(rule):
         ("the turn of the glass", _turn),
         ("the figures", _figures),
         ("the eraser of fixtures", _eraser),
-        *(
-            (f"drawing {walls}", lambda walls=walls, cell=cell: _draw(walls, cell))
-            for walls in ("glass", "stone")
-            for cell in CELLS
-        ),
+        *(("drawing glass", lambda cell=cell: _draw("glass", cell)) for cell in CELLS),
         ("the forecast", _forecast),
         ("the measures", lambda: pile_heights(_dot())),
         ("the names of worlds", lambda: World.from_cells(*np.zeros((2, 66, 2), bool)).digest()),  # of two bands
         ("the books of colours", lambda: _dot(coloured=True).grains_by_colour),
         *((f"{what} of colours", act) for what, act in moving_steps(rule, coloured=True)),
-        *((f"drawing {walls} of colours", lambda walls=walls: _draw(walls, 1, True)) for walls in ("glass", "stone")),
         ("the brush of colours", lambda: _brush(coloured=True)),
         ("figures of colours", lambda: _figures(coloured=True)),
     ] + [
@@ -93,16 +88,16 @@ def _dot(coloured=False):
     return World.from_cells(sand, walls, colours=sand.astype(np.uint8) if coloured else None)
 
 
-def _bare(coloured):
+def _bare():
     """Return a world of 8×8 empty cells, made without compiling the layout."""
     where = planes.layout(8, 8)
-    bits = planes.empty(where, planes.COLOURED_PLANES if coloured else planes.PLANES)
+    bits = planes.empty(where)
     bits[:] = 0
     return World(bits, where, 0, 0)
 
 
-def _draw(walls, cell, coloured=False):
-    world, streams = _bare(coloured), MotionSamples()
+def _draw(walls, cell):
+    world, streams = _bare(), MotionSamples()
     for _ in range(2):
         world.iteration += 1
         streams.note(world)

@@ -6,8 +6,8 @@ perceptual color space for image processing", 2020 (Oklab).
 
 import numpy as np
 
-from game.core.draw.cells import AIR, GLEAM, GRAIN, INSIDE, POST, SURFACE, WALL, WOOD, dyed
 from game.core.draw.downscaled import LIGHTS
+from game.core.draw.looks import AIR, GLEAM, INSIDE, POST, counted_looks, looks_of
 from game.core.draw.motion_blur import SAMPLES
 
 # From light to the responses of the eye's cones, and from their cube roots to Oklab.
@@ -43,31 +43,34 @@ def from_oklab(colours):
     return np.rint(255 * encoded(np.clip(cones @ np.linalg.inv(_CONES).T, 0.0, 1.0))).astype(np.uint8)
 
 
-def lights(palette):
-    """Return the light of air, then what each kind of cell that core.draw.downscaled counts adds to it, in three parts.
+def lights(palette, substances):
+    """Return the light of air, then what each cell that core.draw.downscaled counts adds to it, in three parts.
 
-    The parts are (1 + KINDS, 3), (DECOR_KINDS, 3) and (DYES, 3) float64 in levels of light, as they are counted always,
-    in decorated lattices and where sand has colours. palette: (DYED_LOOKS, shades) 0xRRGGBB.
+    The parts are (…, 3) float64 in levels of light: what is counted always, in decorated lattices and where sand has
+    colours. palette: (MOST_LOOKS, shades) 0xRRGGBB.
     """
     look = linear(_components(palette) / 255).mean(axis=1) * (LIGHTS - 1)
-    air, grains = look[AIR], look[dyed(GRAIN)]
-    plain = [air, grains[0] - air, look[dyed(SURFACE)[0]] - grains[0], look[WALL] - air]
-    decor = [look[WOOD] - look[WALL], look[INSIDE] - air, look[GLEAM] - air, look[POST] - air]
-    return np.stack(plain), np.stack(decor), grains[1:] - grains[0]
+    numbers = {each: number for number, each in enumerate(looks_of(substances))}
+    always, decor, dyes = (
+        np.array([look[numbers.get(one, one)] - look[numbers.get(other, other)] for one, other in sorts]).reshape(-1, 3)
+        for sorts in counted_looks(substances)
+    )
+    return np.vstack([look[:1], always]), decor, dyes
 
 
 def _components(palette):
     return np.stack([palette >> 16 & 255, palette >> 8 & 255, palette & 255], axis=-1)
 
 
-def blends(palette, channels, stream):
-    """Return what cells look like that held sand in some of the samples, pixel values: (dyes, SAMPLES - 1, 4, shades).
+def blends(palette, channels, streams, grounds=(AIR, INSIDE, GLEAM, POST)):
+    """Return what cells look like through which something fell in some samples: (numbers, SAMPLES - 1, 4, shades).
 
-    palette: (DYED_LOOKS, shades) 0xRRGGBB. channels: those of the pixels. stream: the look of sand that falls. Before a
-    darker ground light is mixed; before a brighter one sRGB values are, or thin streams could not be seen against it.
+    They are pixel values. palette: (MOST_LOOKS, shades) 0xRRGGBB. channels: those of the pixels. streams: the looks of
+    what falls, by number. grounds: the looks of what it falls before. Before a darker ground light is mixed; before a
+    brighter one sRGB values are, or thin streams could not be seen against it.
     """
     values = _components(palette) / 255
-    grounds, sand = values[[AIR, INSIDE, GLEAM, POST]], values[dyed(stream)][:, None, None]
+    grounds, sand = values[list(grounds)], values[list(streams)][:, None, None]
     share = np.arange(1, SAMPLES)[:, None, None, None] / SAMPLES
     mixed_light = (1 - share) * linear(grounds) + share * linear(sand)
     mixed_values = linear((1 - share) * grounds + share * sand)

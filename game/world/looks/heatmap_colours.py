@@ -8,8 +8,8 @@ from functools import cache
 
 import numpy as np
 
-from game.core.draw.cells import AIR
 from game.core.draw.heatmap import ALWAYS, LEVELS, NEVER, SOLID
+from game.core.draw.looks import AIR
 from game.world.looks.colour_space import from_oklab
 from game.world.looks.themes import rgb
 

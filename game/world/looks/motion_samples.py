@@ -5,6 +5,7 @@ import time
 import numpy as np
 
 from game.core import planes as bit_planes
+from game.core.draw.looks import SAND, falling, falling_substances
 from game.core.draw.motion_blur import PLANES, SAMPLES, take_sample
 
 FROM_SPEED = 60  # iterations per second: below one in a frame, each one can be seen by itself
@@ -14,10 +15,13 @@ NO_SAMPLES = np.empty((0, PLANES, 0), np.uint64)
 
 
 class MotionSamples:
-    """Where the sand was in the last iterations of one world. It never changes the world."""
+    """Where there was something that falls in the last iterations of one world. It never changes the world."""
 
-    def __init__(self):
+    def __init__(self, substances=SAND):
+        self._substances = substances
+        self._trails = len(falling_substances(substances)) > 1
         self.samples = NO_SAMPLES  # (SAMPLES, PLANES, length) uint64
+        self.trail = NO_SAMPLES[:, 0]  # four planes for each bit of the code of what fell last, if that may be several
         self.forget()
 
     def forget(self):
@@ -36,8 +40,8 @@ class MotionSamples:
 
     def copy(self, world):
         """Return the same samples, as those of a copy of the world."""
-        twin = MotionSamples()
-        twin.samples, twin.moving = self.samples.copy(), self.moving.copy()
+        twin = MotionSamples(self._substances)
+        twin.samples, twin.trail, twin.moving = self.samples.copy(), self.trail.copy(), self.moving.copy()
         twin._world, twin._iteration, twin._stamp = world, self._iteration, world.activity.stamp
         return twin
 
@@ -46,10 +50,10 @@ class MotionSamples:
         activity, where = world.activity, world.layout
         if not self.follows(world) or activity.woken <= self._stamp:
             return
-        band_words, sand = activity.band_rows * where.stride, world.planes[bit_planes.SAND : bit_planes.SAND + PLANES]
+        band_words = activity.band_rows * where.stride
         for band in np.flatnonzero(activity.changed > self._stamp).tolist():
             words = slice(band * band_words, (band + 1) * band_words + where.stride)
-            self.samples[:, :, words] = sand[:, words]
+            self._take_all(world, words)
         self._stamp = activity.stamp
 
     def run(self, timeline, iterations, budget_ns=None):
@@ -76,9 +80,9 @@ class MotionSamples:
         if not self._knows(world) or world.iteration != self._iteration + 1:
             self._begin(world)
         else:
-            sample, band_words = self.samples[world.iteration % SAMPLES], activity.band_rows * where.stride
+            what = self._substances, world.planes, self.samples[world.iteration % SAMPLES], self.trail
             stamps = activity.changed, self._stamp
-            take_sample(world.planes, sample, self.moving, *stamps, band_words, where.stride, where.length)
+            take_sample(*what, self.moving, *stamps, activity.band_rows * where.stride, where.stride)
         self._stamp, self._iteration = activity.stamp, world.iteration
 
     def _knows(self, world):
@@ -89,6 +93,14 @@ class MotionSamples:
         """Take all samples to be what the world is now."""
         if self.samples.shape[2:] != (world.layout.length,):
             self.samples = bit_planes.empty(world.layout, SAMPLES * PLANES).reshape(SAMPLES, PLANES, -1)
-        self.samples[:] = world.planes[bit_planes.SAND : bit_planes.SAND + PLANES]
+            self.trail = bit_planes.empty(world.layout, PLANES * self._substances.bits * self._trails)
+        self._take_all(world, slice(None))
         self.moving = np.zeros(len(world.activity.changed), np.uint8)
         self._world = world
+
+    def _take_all(self, world, words):
+        """Take some words of all samples to be what the world is now."""
+        own = world.planes[: PLANES * self._substances.bits, words]
+        self.samples[:, :, words] = falling(self._substances, own.reshape(-1, PLANES, own.shape[1]))[0]
+        if self._trails:
+            self.trail[:, words] = own

@@ -7,15 +7,31 @@ from typing import NamedTuple
 import numpy as np
 
 from game.core.draw import cells
-from game.core.draw.cells import LOOKS, TEXTURE, draw_cells, dyed, mixed_columns, pairs_of, shades_of
-from game.core.draw.downscaled import draw_density, shift_edges
+from game.core.draw.cells import TEXTURE, CellPass, mixed_columns, pairs_of, shades_of
+from game.core.draw.downscaled import CountPass, shift_edges
 from game.core.draw.glass_decor import decor_of
-from game.core.planes import WALLS, layout
+from game.core.draw.looks import (
+    AIR,
+    GLEAM,
+    INSIDE,
+    LIQUID_SURFACE,
+    POST,
+    SAND,
+    Look,
+    dyed,
+    falling_substances,
+    has_glass,
+    looks_of,
+    sand_of,
+    walls_of,
+)
+from game.core.planes import DEPTH, layout
 from game.world.looks import colour_space
 from game.world.looks.motion_samples import NO_SAMPLES
-from game.world.looks.themes import NIGHT, dyed_palette, rgb
+from game.world.looks.themes import NIGHT, palette, rgb
 
 NO_ENDS = np.zeros(0, np.int32)
+NO_DECOR = np.zeros((0, 0), np.uint64)
 NO_BLENDS = np.zeros((0, 0, 0, 0), np.uint32)
 MIXED_BY_TWO = 0.5  # pixels to a cell: from here on a pixel holds no more than two cells in a row, and they are mixed
 MOST_DECORATED = 2**24  # cells: in a larger lattice, a painted wall would hold a frame up for too long
@@ -32,42 +48,56 @@ def texture():
 class CellPaints(NamedTuple):
     """Look-up tables that cells are drawn with, whatever the view."""
 
-    pairs: np.ndarray  # of a world without colours, and of one with: what `pairs_of` gives
-    dyed_pairs: np.ndarray
+    pairs: np.ndarray  # what `pairs_of` gives
     lights: tuple | None  # what `colour_space.lights` gives, where cells share pixels
     channels: np.ndarray | None  # what `colour_space.channels` gives, there
     blends: np.ndarray  # what `colour_space.blends` gives, there
 
 
 @lru_cache(maxsize=16)
-def paints_of(colours, walls, map_rgb, mixes):
+def paints_of(colours, walls, map_rgb, mixes, substances):
     """Return the CellPaints of a theme for a `Painter`. They are cached, since a window is laid out often."""
-    codes = dyed_palette(colours, walls, map_rgb)
-    plain = np.array([dyed(look)[0] for look in range(LOOKS)])
-    pairs = pairs_of(codes[plain]), pairs_of(codes)
+    pairs = pairs_of(palette(colours, walls, map_rgb, substances))
     if not mixes:
-        return CellPaints(*pairs, None, None, NO_BLENDS)
-    values, channels = dyed_palette(colours, walls), colour_space.channels(map_rgb)
-    return CellPaints(
-        *pairs, colour_space.lights(values), channels, colour_space.blends(values, channels, colours.stream)
-    )
+        return CellPaints(pairs, None, None, NO_BLENDS)
+    values, channels = palette(colours, walls, substances=substances), colour_space.channels(map_rgb)
+    grounds = (AIR, INSIDE, GLEAM, POST) if has_glass(substances) else (AIR,) * 4
+    streams = _stream_looks(substances, colours.stream)
+    blends = colour_space.blends(values, channels, streams, grounds)
+    return CellPaints(pairs, colour_space.lights(values, substances), channels, blends)
+
+
+def _stream_looks(substances, stream):
+    """Return the look of what falls, by its colour where it is sand alone, else by its code."""
+    falling = falling_substances(substances)
+    if falling == [sand_of(substances)]:
+        return dyed(stream)
+    looks, numbers = looks_of(substances), [AIR] * 2**substances.bits
+    for each in falling:
+        for code in each.codes:
+            numbers[code] = looks.index(Look(stream if each.kind == "powder" else LIQUID_SURFACE, each))
+    return numbers if len(falling) != 1 else [numbers[falling[0].codes[0]]]
 
 
 class Painter:
     """Draws worlds into pixel arrays through one view, and of a world drawn before only the bands that changed."""
 
-    def __init__(self, view, colours=NIGHT, walls="stone", map_rgb=rgb, mixes=True):
+    def __init__(self, view, colours=NIGHT, walls="stone", map_rgb=rgb, mixes=True, substances=SAND):
         """`walls`: what they are made of; those of glass are decorated. map_rgb: makes a pixel of three numbers.
 
-        mixes: cells that share a pixel mix their light; otherwise it shows one of them.
+        mixes: cells that share a pixel mix their light; otherwise it shows one of them. substances: what the cells can
+        hold, see `themes.substances_of`.
         """
-        self._paints = paints_of(colours, walls, map_rgb, mixes)
+        self._substances = substances
+        self._paints = paints_of(colours, walls, map_rgb, mixes, substances)
+        self._passes = {}  # what `_pass` gave
         self._shades = shades_of(texture(), layout(*view.shape).words)
-        self._samples, self._moving = NO_SAMPLES, ()  # as drawn last: see MotionSamples
+        self._samples, self._trail, self._moving = NO_SAMPLES, None, ()  # as drawn last: see MotionSamples
         self._seen = 0  # the stamp of the world drawn last
         self._drawn_at = None  # its iteration
-        self._glass = walls == "glass" and view.shape[0] * view.shape[1] <= MOST_DECORATED
-        self._decor = self._decorated = None  # what decorates the glass, and its walls
+        is_small = view.shape[0] * view.shape[1] <= MOST_DECORATED
+        self._glass = walls == "glass" and is_small and has_glass(substances)
+        self._decor, self._decorated = NO_DECOR, None  # what decorates the glass, and its walls
         self.look_through(view)
 
     def look_through(self, view):
@@ -96,6 +126,7 @@ class Painter:
         spans = [*self._changed(world), *(self._clipped(*span) for span in damage)]
         self._world, self._seen, self._drawn_at = world, world.activity.stamp, world.iteration
         self._samples, self._moving = (streams.samples, streams.moving > 0) if smooth else (NO_SAMPLES, ())
+        self._trail = streams.trail if smooth else None
         drawn = _merged(spans)
         for top, bottom in drawn:
             self._draw_rows(world, pixels, top, bottom)
@@ -113,12 +144,13 @@ class Painter:
 
     def _decorate(self, world):
         """Decorate the glass anew, and forget what was drawn, if its walls are not those decorated last."""
-        activity, walls = world.activity, world.planes[WALLS : WALLS + 4]
-        if world is self._world and activity.woken <= self._seen:
+        if world is self._world and world.activity.woken <= self._seen:
             return
+        own = world.planes[: 4 * self._substances.bits]
+        walls = walls_of(self._substances, own.reshape(-1, 4, own.shape[1]))
         if self._decorated is None or not np.array_equal(walls, self._decorated):
             self._decorated = walls.copy()
-            self._decor = decor_of(world.planes, world.layout)
+            self._decor = decor_of(walls, world.layout)
             self.forget()
 
     def _changed(self, world):
@@ -149,30 +181,28 @@ class Painter:
 
     def _draw_rows(self, world, pixels, top, bottom):
         left, first, _, _ = self.view.seen
-        where, columns, rows = world.layout, self._columns, self._rows[top - first : bottom - first + self._mixes]
-        how = where.stride, where.words, columns
+        paints, planes, rows = self._paints, world.planes, self._rows[top - first : bottom - first + self._mixes]
+        colours = planes[4 * self._substances.bits :]
+        what = planes, world.layout, self._decor, self._columns
         if self._counts:
-            plain, decor, dyes = self._paints.lights
-            lights = [plain, *([] if self._decor is None else [decor]), *([dyes] if world.coloured else [])]
-            draw_density(
-                world.planes,
-                self._decor,
-                world.coloured,
-                *how,
-                rows,
-                np.concatenate(lights),
-                self._paints.channels,
-                pixels,
-                top,
-                left,
-            )
+            plain, decor, dyes = paints.lights
+            lights = np.vstack([plain, decor[: len(decor) * self._glass], dyes[: len(dyes) * (len(colours) > 0)]])
+            self._pass(CountPass, colours).draw(*what, rows, lights, paints.channels, pixels, top, left)
         else:
             ends = np.maximum(rows[1:] - 1, rows[:-1]) if self._mixes else NO_ENDS
             rows = rows[:-1] if self._mixes else rows
-            pairs = self._paints.dyed_pairs if world.coloured else self._paints.pairs
-            coloured = True if world.coloured else None  # a constant to the compiler, which halves the time to compile
-            what = world.planes, self._decor, coloured, *how
-            draw_cells(*what, rows, ends, self._shades, pairs, self._samples, self._paints.blends, pixels, top, left)
+            trail = colours if self._trail is None or not len(self._trail) else self._trail
+            streams = self._samples, trail, paints.blends
+            cells = self._pass(CellPass, colours)
+            cells.draw(*what, rows, ends, self._shades, paints.pairs, *streams, pixels, top, left)
+
+    def _pass(self, kind, colours):
+        """Return the CellPass or CountPass of worlds with or without colours."""
+        depth = DEPTH if len(colours) and sand_of(self._substances) else 0
+        if (kind, depth) not in self._passes:
+            words = layout(*self.view.shape).words
+            self._passes[kind, depth] = kind(self._substances, words, self._glass, depth)
+        return self._passes[kind, depth]
 
 
 def _merged(spans):

@@ -5,36 +5,51 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.core.draw.cells import (
+from game.core.draw.cells import SHADES
+from game.core.draw.looks import (
     AIR,
     AIR_BY_WALL,
-    DYED_LOOKS,
+    DYES,
     EDGE,
+    GAS,
+    GAS_INSIDE,
     GLEAM,
     GRAIN,
     GRAIN_BY_WALL,
     INSIDE,
     INSIDE_BY_WALL,
-    LOOKS,
+    LIQUID,
+    LIQUID_SURFACE,
+    MOST_LOOKS,
     POST,
     RIM,
-    SHADES,
+    SAND,
+    SHAPES,
     SURFACE,
     UNDER,
     WALL,
     WOOD,
     WOOD_EDGE,
     WOOD_RIM,
+    Substance,
+    Substances,
     dyed,
+    looks_of,
+    sand_of,
 )
-from game.core.planes import DEPTH
 
-LIGHT_ON_SAND = {  # by what the darkest and the lightest shade of dyed sand differ from its mean
+LIGHT = {  # by what the darkest and the lightest shade of a material differ from its mean
     GRAIN: (-0.06, 0.07),
     SURFACE: (0.32, 0.44),
     UNDER: (0.12, 0.2),
     GRAIN_BY_WALL: (-0.2, -0.11),
+    WALL: (-0.06, 0.07),
+    RIM: (0.28, 0.28),
+    EDGE: (-0.28, -0.28),
+    LIQUID: (-0.03, 0.03),
+    LIQUID_SURFACE: (0.3, 0.34),
 }
+GAS_COVERS = 0.6  # how much of what is behind it a gas hides
 WALL_LOOKS = ("stone", "glass", "wood")  # what a scene's walls can be made of; in glass its long level runs are wooden
 
 
@@ -87,8 +102,16 @@ class Colours(NamedTuple):
         """Return {look: Range} of sand of a colour, by its number: what its mean makes of amber's light and shadow."""
         if number == 0:
             return self.sand
-        grain = self.dyes[number - 1]
-        return {look: Range(*(_lit(grain, by) for by in LIGHT_ON_SAND[look])) for look in self.sand}
+        return {look: _material(self.dyes[number - 1], look) for look in self.sand}
+
+    def seen(self, look, walls):
+        """Return the Range of a Look in a scene whose walls are made of `walls`."""
+        if look.substance is None or look.substance.colour is None:
+            return self.looks(walls)[look.shape]
+        if look.shape not in (GAS, GAS_INSIDE):
+            return _material(look.substance.colour, look.shape)
+        behind = self.air[AIR if look.shape == GAS else INSIDE]
+        return Range(*(_mixed(look.substance.colour, each, GAS_COVERS) for each in behind))
 
     @lru_cache(maxsize=64)  # noqa: B019 - the themes live as long as the program
     def swatch(self, number):
@@ -100,9 +123,32 @@ class Colours(NamedTuple):
         return tuple((dark + light) / 2 for dark, light in zip(*self.dye(number)[look], strict=True))
 
 
+def substances_of(materials):
+    """Return the Substances of a rule's materials, by code: each has a name, a kind (its class) and a colour.
+
+    Sand and wall look as the theme says, others by the rule's colours.
+    """
+    codes = {}
+    for code, each in enumerate(materials):
+        if each.kind != "empty":
+            alike = each.kind, None if each.name in ("sand", "wall") else tuple(each.colour)
+            codes.setdefault(alike, []).append(code)
+    outside = next(code for code, each in enumerate(materials) if each.name == "wall")
+    every = tuple(Substance(kind, tuple(numbers), colour) for (kind, colour), numbers in codes.items())
+    return Substances(every, max(2, (len(materials) - 1).bit_length()), outside)
+
+
+def _material(colour, shape):
+    return Range(*(_lit(colour, by) for by in LIGHT[shape]))
+
+
 def _lit(colour, by):
     """Return a colour made darker by a part of it (below 0), or by so much nearer to white."""
     return tuple(round(part + (by * (255 - part) if by > 0 else by * part)) for part in colour)
+
+
+def _mixed(colour, behind, share):
+    return tuple(round(share * part + (1 - share) * other) for part, other in zip(colour, behind, strict=True))
 
 
 def rgb(red, green, blue):
@@ -110,29 +156,22 @@ def rgb(red, green, blue):
     return red << 16 | green << 8 | blue
 
 
-def palette(colours, walls="stone", map_rgb=rgb):
-    """Return the (LOOKS, SHADES) uint32 pixel values, `map_rgb` turning red, green, blue in 0 … 255 into one."""
-    values = np.empty((LOOKS, SHADES), np.uint32)
-    for look, (dark, light) in sorted(colours.looks(walls).items()):
-        values[look] = _shades(dark, light, map_rgb)
-    return values
+def palette(colours, walls="stone", map_rgb=rgb, substances=SAND):
+    """Return the (MOST_LOOKS, SHADES) uint32 pixel values of the looks of a world, black where there is none.
+
+    map_rgb: turns red, green, blue in 0 … 255 into a pixel value; it is asked for one after the other.
+    """
+    ranges = {number: colours.seen(look, walls) for number, look in enumerate(looks_of(substances))}
+    if sand_of(substances):
+        ranges |= {dyed(look)[dye]: colours.dye(dye)[look] for dye in range(DYES) for look in SHAPES["powder"]}
+    black = _flat(0, 0, 0)
+    return np.array([_shades(*ranges.get(number, black), map_rgb) for number in range(MOST_LOOKS)], np.uint32)
 
 
 def _shades(dark, light, map_rgb):
     """Return SHADES pixel values from dark to light."""
     parts = [[d + (b - d) * shade // (SHADES - 1) for d, b in zip(dark, light, strict=True)] for shade in range(SHADES)]
     return [map_rgb(*each) for each in parts]
-
-
-def dyed_palette(colours, walls="stone", map_rgb=rgb):
-    """Return the (DYED_LOOKS, SHADES) uint32 pixel values of a world with colours, as `palette` does; 0 is no look."""
-    plain, values = colours.looks(walls), np.zeros((DYED_LOOKS, SHADES), np.uint32)
-    ranges = {look: plain[look] for look in sorted(plain.keys() - colours.sand.keys())}
-    for number in range(2**DEPTH):
-        ranges |= {dyed(look)[number]: each for look, each in colours.dye(number).items()}
-    for look, (dark, light) in ranges.items():
-        values[look] = _shades(dark, light, map_rgb)
-    return values
 
 
 def _flat(*colour):

@@ -3,12 +3,14 @@
 import numpy as np
 import pytest
 
-from game.core.draw.downscaled import DYES, LIGHTS, draw_density, shift_edges
-from game.core.planes import layout, pack
+from game.core.draw.downscaled import LIGHTS, CountPass, shift_edges
+from game.core.draw.looks import DYES, SAND
+from game.core.planes import DEPTH, layout, pack
 
 AIR, PLAIN = [7, 11, 13], [[900, 3, 500], [5, 1900, 400], [90, 60, 2000]]  # the light of air, and of each kind
 DECOR = [[9, 8, 7], [500, 90, 20], [60, 7, 900], [3, 70, 800]]
 DYED = [[30, 8, 7], [50, 9, 20], [90, 7, 100], [300, 70, 80], [-8, 70, 90], [200, -9, 3], [9, 99, -2]]
+NO_DECOR = np.zeros((0, 0), np.uint64)
 CHANNELS = np.arange(LIGHTS, dtype=np.uint32) // 16 << np.array([[16], [8], [0]], np.uint32)
 
 
@@ -44,22 +46,22 @@ def test_a_pixel_mixes_what_numpy_counts_in_its_cells(shape, size, share, decora
     walls = generator.random(shape) < 0.2
     sand = (generator.random(shape) < share) & ~walls
     first, second = generator.random((2, *shape)) < 0.5
-    colours = generator.integers(0, 1 + DYES, shape, np.uint8) if dyed else None
-    decor = pack(first, second)[:8] if decorated else None
+    colours = generator.integers(0, DYES, shape, np.uint8) if dyed else None
+    decor = pack(first, second)[:8] if decorated else NO_DECOR
     where, pixels = layout(*shape), np.full((size[0] + 3, size[1] + 4), 5, np.uint32)
     rows, columns = edges(generator, shape[0], size[0]), edges(generator, shape[1], size[1])
     if shifted:
         columns = shift_edges((np.arange(size[1] + 1) * shape[1] // size[1]).astype(np.int32), where.words)
     lights = np.array([AIR, *PLAIN, *DECOR * decorated, *DYED * dyed], float)
-    how = dyed, where.stride, where.words, columns, rows, lights, CHANNELS
-    draw_density(pack(sand, walls, colours), decor, *how, pixels, 1, 2)
+    counts = CountPass(SAND, where.words, decorated, DEPTH * dyed)
+    counts.draw(pack(sand, walls, colours), where, decor, columns, rows, lights, CHANNELS, pixels, 1, 2)
     covered = np.zeros_like(sand)
     covered[1:] = (sand | walls)[:-1]
     kinds, air = [sand, sand & ~covered, walls], ~(sand | walls)
     if decorated:
         kinds += [walls & first, air & first & ~second, air & second & ~first, air & first & second]
     if dyed:
-        kinds += [sand & (colours == 1 + number) for number in range(DYES)]
+        kinds += [sand & (colours == 1 + number) for number in range(DYES - 1)]
     counts = [block_sums(cells, rows, columns).astype(np.float32) for cells in kinds]
     cell = np.float32(1) / (np.diff(rows)[:, None] * np.diff(columns)).astype(np.float32)
     wanted = np.full_like(pixels, 5)
@@ -87,8 +89,7 @@ def test_a_pixel_may_hold_more_rows_than_a_byte_counts():
     sand = np.ones((rows[1], 3), bool)
     where, pixels = layout(*sand.shape), np.zeros((1, 1), np.uint32)
     lights = np.array([[0, 0, 0], [4000, 0, 800], [0, 4000, 0], [0, 0, 0]], float)
-    draw_density(
-        pack(sand, ~sand), None, False, where.stride, where.words, columns, rows, lights, CHANNELS, pixels, 0, 0
-    )
+    counts = CountPass(SAND, where.words, False, 0)
+    counts.draw(pack(sand, ~sand), where, NO_DECOR, columns, rows, lights, CHANNELS, pixels, 0, 0)
     lit = round(4000 / len(sand))
     assert pixels[0, 0] == CHANNELS[0, 4000] | CHANNELS[1, lit] | CHANNELS[2, 800]

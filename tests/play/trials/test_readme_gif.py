@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image
 
-from game.core.draw.cells import GRAIN, SURFACE
+from game.core.draw.looks import GRAIN, SURFACE
 from game.play.trials import readme_gif
 from game.world.looks.themes import NIGHT, palette
 

@@ -4,14 +4,15 @@ import numpy as np
 import pytest
 
 from game import Rule, World, advance, load_scene
-from game.core.draw.cells import AIR, GLEAM, INSIDE, POST, SURFACE, TEXTURE, dyed
+from game.core.draw.cells import TEXTURE
 from game.core.draw.glass_decor import decor_of
+from game.core.draw.looks import AIR, GLEAM, INSIDE, POST, SURFACE, dyed
 from game.core.draw.motion_blur import SAMPLES
-from game.core.planes import unpack
+from game.core.planes import WALLS, unpack
 from game.world.looks.colour_space import blends, channels, linear
 from game.world.looks.motion_samples import FROM_SPEED, MotionSamples
 from game.world.looks.painter import Painter, texture
-from game.world.looks.themes import NIGHT, THEMES, dyed_palette, rgb
+from game.world.looks.themes import NIGHT, THEMES, palette, rgb
 from game.world.looks.view import View
 from game.world.sessions.action import Flip, Paint, apply
 from game.world.sessions.session import FRAMES_PER_SECOND, Session
@@ -65,10 +66,13 @@ def test_moving_cells_show_the_mean_of_a_cycle_and_others_what_they_are(shape, w
     for _ in range(8):
         share = run_with_colours(world, streams, 5, last)[-SAMPLES:].mean(axis=0)
         moving = (share > 0) & (share < 1)
-        places = sum(unpack(decor_of(world.planes, world.layout), world.layout, 4 * bit) << bit for bit in range(2))
+        places = sum(
+            unpack(decor_of(world.planes[WALLS : WALLS + 4], world.layout), world.layout, 4 * bit) << bit
+            for bit in range(2)
+        )
         grounds = np.array([AIR, INSIDE, GLEAM, POST] if walls == "glass" else [AIR] * 4)[places]
         y, x = np.mgrid[0 : shape[0], 0 : shape[1]] % TEXTURE
-        light = linear(components(dyed_palette(NIGHT, walls)) / 255)
+        light = linear(components(palette(NIGHT, walls)) / 255)
         sand, ground = light[dyed(SURFACE)[last], texture()[y, x]], light[grounds, texture()[y, x]]
         wanted = share[..., None] * sand + (1 - share[..., None]) * ground
         pixels = drawn(world, streams, walls)
@@ -137,8 +141,8 @@ def test_large_lattices_and_slow_motion_are_drawn_cell_by_cell(shape, speed):
 @pytest.mark.parametrize("colours", THEMES.values(), ids=THEMES)
 @pytest.mark.parametrize("sight", SIGHTS)
 def test_even_the_thinnest_stream_can_be_seen_in_every_theme(colours, sight):
-    values = dyed_palette(colours, "glass")
-    for count in components(blends(values, channels(rgb), colours.stream))[0]:
+    values = palette(colours, "glass")
+    for count in components(blends(values, channels(rgb), dyed(colours.stream)))[0]:
         for ground, streams in zip((AIR, INSIDE, GLEAM), count, strict=False):
             air = lab(colours.air[ground].dark, sight)
             assert min(difference(lab(each, sight), air) for each in streams) > 9

@@ -6,13 +6,13 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import Rule, advance, load_scene
-from game.core.draw import cells as pixels
-from game.core.draw.cells import AIR, GRAIN, GRAIN_BY_WALL, SHADES, SURFACE, TEXTURE, WALL
+from game.core.draw.cells import SHADES, TEXTURE
 from game.core.draw.downscaled import shift_edges
 from game.core.draw.glass_decor import places_of
+from game.core.draw.looks import AIR, GRAIN, GRAIN_BY_WALL, SURFACE, WALL, dyed
 from game.world.looks import colour_space
 from game.world.looks.painter import Painter, texture
-from game.world.looks.themes import DAY, NIGHT, dyed_palette, palette
+from game.world.looks.themes import DAY, NIGHT, palette
 from game.world.looks.view import View
 from game.world.sessions.action import MATERIALS, Flip, Paint, apply
 from tests.cells import coloured, grains_over_a_pile_below_a_band, random_world
@@ -21,7 +21,7 @@ from tests.looks import looks_of
 
 def dyed_look(look, colour):
     """Return the look of a cell of a world with colours."""
-    return pixels.dyed(look)[colour if GRAIN <= look <= GRAIN_BY_WALL else 0]
+    return dyed(look)[colour] if GRAIN <= look <= GRAIN_BY_WALL else look
 
 
 def drawn(world, view, height, width):
@@ -41,7 +41,7 @@ def test_every_pixel_has_the_colour_of_its_cell(shape, cell, dyed):
     rows, columns = np.mgrid[0 : shape[0], 0 : shape[1]]
     looks = looks_of(world.sand, world.walls)
     dyes = np.array([dyed_look(look, number) for look, number in zip(looks.flat, world.colours.flat, strict=True)])
-    colours = dyed_palette(NIGHT)[dyes.reshape(shape), texture()[rows % TEXTURE, columns % TEXTURE]]
+    colours = palette(NIGHT)[dyes.reshape(shape), texture()[rows % TEXTURE, columns % TEXTURE]]
     wanted = np.full((height, width), 7, np.uint32)
     wanted[4 : 4 + view.height, 3 : 3 + view.width] = colours.repeat(cell, axis=0).repeat(cell, axis=1)
     assert (drawn(world, view, height, width) == wanted).all()
@@ -149,7 +149,7 @@ def light_of(values):
 
 def colour_light(number):
     """Return by what light sand of a colour differs from amber sand, as (3,)."""
-    return np.subtract(*(light_of(dyed_palette(NIGHT)[pixels.dyed(GRAIN)[each]]).mean(axis=0) for each in (number, 0)))
+    return np.subtract(*(light_of(palette(NIGHT)[dyed(GRAIN)[each]]).mean(axis=0) for each in (number, 0)))
 
 
 @pytest.mark.parametrize("cell", [0.05, 0.26, 1 / 3, 0.31, 0.49])

@@ -4,22 +4,22 @@ import itertools
 
 import pytest
 
-from game.core.draw.cells import (
+from game.core.draw.cells import SHADES
+from game.core.draw.looks import (
     AIR,
     AIR_BY_WALL,
     GLEAM,
     GRAIN,
     INSIDE,
     INSIDE_BY_WALL,
-    LOOKS,
+    MOST_LOOKS,
     POST,
-    SHADES,
     WOOD,
     WOOD_EDGE,
     WOOD_RIM,
     dyed,
 )
-from game.world.looks.themes import THEMES, WALL_LOOKS, dyed_palette, palette, rgb
+from game.world.looks.themes import THEMES, WALL_LOOKS, palette, rgb
 from tests.eyes import RARE_SIGHTS, SIGHTS, contrast, difference, lab
 
 FREE = {"stone": (AIR, AIR_BY_WALL), "wood": (AIR, AIR_BY_WALL)}  # what lies about the walls of each kind
@@ -85,7 +85,7 @@ def test_every_word_can_be_read(colours):
 @EVERYWHERE
 def test_every_look_has_its_shades_and_a_mean(colours, walls):
     values = palette(colours, walls)
-    assert values.shape == (LOOKS, SHADES)
+    assert values.shape == (MOST_LOOKS, SHADES)
     for look, (dark, light) in colours.looks(walls).items():
         assert values[look, 0] == rgb(*dark) and values[look, -1] == rgb(*light)
         assert all(low <= mean <= high for low, mean, high in zip(dark, colours.mean(look, walls), light, strict=True))
@@ -107,7 +107,7 @@ def test_every_eye_tells_sand_of_each_colour_from_the_others_and_from_air_and_wa
 @EVERY_THEME
 @EVERYWHERE
 def test_light_falls_on_every_colour_from_above(colours, walls):
-    values = dyed_palette(colours, walls)
+    values = palette(colours, walls)
     for number in range(8):
         looks = colours.dye(number)
         brightness = [sum(lab(each)[0] for each in looks[look]) for look in sorted(looks)]
