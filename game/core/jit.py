@@ -17,6 +17,7 @@ import llvmlite
 import numba
 import numpy as np
 from llvmlite import ir
+from numba.core import cgutils
 from numba.core.caching import FunctionCache
 from numba.core.compiler import CompileResult
 from numba.core.serialize import dumps
@@ -193,3 +194,20 @@ def call_words(typingctx, address, at, first, size):
         return context.get_dummy_value()
 
     return numba.types.none(address, at, numba.types.int64, numba.types.int64), generate
+
+
+@intrinsic
+def copy(typingctx, source, first, target, start, size):
+    """Copy `size` items of a row of an array from its place `first` to another one's from `start`; they are apart."""
+
+    def generate(context, builder, signature, args):
+        places = []
+        for at in (2, 0):
+            data = context.make_array(signature.args[at])(context, builder, args[at]).data
+            places.append(builder.gep(data, [args[at + 1]]))
+        item = context.get_abi_sizeof(context.get_data_type(signature.args[0].dtype))
+        cgutils.raw_memcpy(builder, *places, args[4], item, align=item)
+        return context.get_dummy_value()
+
+    number = numba.types.int64
+    return numba.types.none(source, number, target, number, number), generate

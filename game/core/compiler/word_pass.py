@@ -1,4 +1,4 @@
-"""Passes over rows of words: a function on words, written with & | ^ ~ << >>, as machine code for many words at a time.
+"""Passes over rows of words: a function on words, written with & | ^ ~ + << >>, as machine code for many words.
 
     void pass(at, size)
 
@@ -27,6 +27,9 @@ class Word:
 
     def __xor__(self, other):
         return self.writer.op("xor", self, other)
+
+    def __add__(self, other):
+        return self.writer.op("add", self, other)
 
     __rand__, __ror__, __rxor__ = __and__, __or__, __xor__
 
@@ -92,10 +95,10 @@ class _Writer:
         return Word(self, self.new(f"shufflevector {both}, <{self.lanes} x i32> <{places}>"))
 
     def load(self, stream, index):
-        return Word(self, self.new(f"load {self.kind}, ptr {self._place(stream, index)}, align 8"))
+        return Word(self, self.new(f"load {self.kind}, ptr {self._place(stream, index)}, align 4"))
 
     def store(self, word, stream):
-        self.lines.append(f"  store {self.kind} {self._value(word)}, ptr {self._place(stream, '%i')}, align 8")
+        self.lines.append(f"  store {self.kind} {self._value(word)}, ptr {self._place(stream, '%i')}, align 4")
 
     def _place(self, stream, index):
         line = f"  %s{stream} = load ptr, ptr %t{stream}"

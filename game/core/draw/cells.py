@@ -15,8 +15,8 @@ from game.core.compiler.word_pass import transposed, word_pass
 from game.core.draw.looks import falling, look_bits
 from game.core.draw.motion_blur import blend_row
 from game.core.draw.rows import RowStreams, addresses, find_row, find_sides, room_for
-from game.core.jit import call_words, gate, kernel
-from game.core.planes import BITS
+from game.core.jit import call_words, copy, gate, kernel
+from game.core.planes import BITS, aligned
 
 TEXTURE = 64  # side of the texture of shades, in cells; a power of two
 SHADES = 4
@@ -24,7 +24,7 @@ SHADES = 4
 _LOW = 4  # bits of a look that come first
 _BYTE = np.uint64(255)
 _UPPER = np.uint64(12)  # where the upper bits of the looks of two neighbours lie in their code
-_UPPER_BITS, _ONE_BIT = np.uint32(0xFEFEFEFE), np.uint32(1)  # all of each channel but the lowest bit
+_UPPER_BITS = 0xFEFEFEFEFEFEFEFE  # all of each channel but the lowest bit
 _POINT_BITS = 20  # positions in a turned picture are fixed-point numbers with this many binary places
 _POINT = 1 << _POINT_BITS
 
@@ -52,6 +52,12 @@ def _compiled(substances, decorated, depth):
     return _Compiled(code, reader, writes)
 
 
+@lru_cache(maxsize=1)
+def _mean_pass():
+    """Return the pass that gives the means of colours, two in a word, each channel rounded down."""
+    return word_pass(lambda two: [(two[0] & two[1]) + (((two[0] ^ two[1]) & _UPPER_BITS) >> 1)], 2)[0]
+
+
 class CellPass:
     """Draws cells of some Substances in rows of `words` words, in memory of its own."""
 
@@ -63,12 +69,17 @@ class CellPass:
         self._nothing = places[-1]
         self._at = np.concatenate([np.zeros(reader.moving, np.int64), addresses(self._sides), places[:-1]])
         self._outside = substances.outside
+        # colours of a row, of every two neighbours mixed, of the next row
+        self._colours = aligned(3 * BITS * words).reshape(3, BITS * words)
+        own, mixed, others = addresses(self._colours)
+        self._at_means = np.array([own, others, own, own, own + 4, mixed])
 
     def draw(self, planes, where, decor, *how):
         """Draw rows of planes as `draw_cells` does; decor: as many planes as the pass was made for, may be none."""
         places = self._made.reader.places(planes, where, decor)
         looked = self._made.code.address, places, self._at, self._nothing, self._outside, self._sides, self._room
-        draw_cells(planes, looked, decor, where.stride, where.words, *how)
+        mixing = _mean_pass().address, self._at_means, self._colours
+        draw_cells(planes, looked, mixing, decor, where.stride, where.words, *how)
 
 
 @gate
@@ -91,14 +102,6 @@ def _colours_of_row(looks, shades, pairs, colours):
 
 
 @gate
-def _copy(source, first, target, start, size):
-    """Copy by unsigned indices, which may not count from the end: the compiler then moves whole vectors."""
-    of, to = np.uint64(first), np.uint64(start)
-    for j in range(np.uint64(size)):
-        target[to + j] = source[of + j]
-
-
-@gate
 def _cells_of_row(planes, looked, decor, stride, words, y, shades, pairs, samples, trail, blends, looks, colours):
     """Write the colours of lattice row y, those of two neighbours a word, to (64·words,) uint64."""
     address, places, at, nothing, outside, sides, room = looked
@@ -112,51 +115,47 @@ def _cells_of_row(planes, looked, decor, stride, words, y, shades, pairs, sample
         blend_row(spaces, decor, trail, samples, stride, words, y, shades[y % TEXTURE], blends, cells)
 
 
-@gate
-def _mean(one, other):
-    """Return the mean of two colours, each channel rounded down."""
-    return (one & other) + (((one ^ other) & _UPPER_BITS) >> _ONE_BIT)
-
-
-@gate
-def _mix(cells, others):
-    """Mix the cells of a row with those of another, in place."""
-    for k in range(cells.size):
-        cells[k] = _mean(cells[k], others[k])
-
-
-@gate
-def _mix_neighbours(cells, mixed):
-    """Write the mean of each cell of a row and the next one."""
-    for k in range(cells.size - 1):
-        mixed[k] = _mean(cells[k], cells[k + 1])
-
-
 @kernel
 def draw_cells(
-    planes, looked, decor, stride, words, columns, rows, ends, shades, pairs, samples, trail, blends, pixels, top, left
+    planes,
+    looked,
+    mixing,
+    decor,
+    stride,
+    words,
+    columns,
+    rows,
+    ends,
+    shades,
+    pairs,
+    samples,
+    trail,
+    blends,
+    pixels,
+    top,
+    left,
 ):
     """Draw lattice rows into `pixels`, an (h, w) uint32 array, in place.
 
-    looked: how a `CellPass` works out looks. decor: what stands still behind or in the cells, see core.decor, or
-    no planes. columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the lattice row of
-    each pixel row from `top`. shades: (TEXTURE, 64·words) uint16, what `shades_of` gives. pairs: what `pairs_of` gives.
+    looked, mixing: how a `CellPass` works out looks, and means. decor: what stands still behind or in the cells, see
+    core.decor, or no planes. columns: uint32, the lattice column of each pixel column from `left`. rows: int32, the
+    lattice row of each pixel row from `top`. shades: (TEXTURE, 64·words) uint16, what `shades_of` gives. pairs: what
+    `pairs_of` gives. The items of a row of `pixels` lie side by side.
     samples, trail, blends: those of `motion_blur.blend_row`, or no samples.
 
     ends: int32, the last lattice row of each pixel row, where a pixel may hold two by two cells, which it then mixes;
     elsewhere none. Then columns of those that hold two are 128·words more than the first of them.
     """
     looks = np.empty(BITS * words, np.uint16)
-    colours = np.empty((3, BITS * words), np.uint64)  # of a row; of each two neighbours mixed; of the next row
-    cells = colours[:2].reshape(-1).view(np.uint32)
-    own, mixed, others = colours[0].view(np.uint32), colours[1].view(np.uint32), colours[2].view(np.uint32)
+    mean, at_means, colours = mixing
+    cells = colours.reshape(-1).view(np.uint32)
     width = len(columns)
     unscaled = columns[width - 1] - columns[0] == width - 1
     for i in range(len(rows)):
         y = rows[i]
         line = pixels[top + i]
         if i > 0 and y == rows[i - 1]:
-            _copy(pixels[top + i - 1], left, line, left, width)
+            copy(pixels[top + i - 1], left, line, left, width)
             continue
         two = len(ends) > 0 and ends[i] > y
         for k in range(2 if two else 1):  # a loop, since to compile the row's work twice takes seconds
@@ -164,11 +163,11 @@ def draw_cells(
             to = colours[2 * k]
             _cells_of_row(planes, looked, decor, stride, words, here, shades, pairs, samples, trail, blends, looks, to)
         if two:
-            _mix(own, others)
+            call_words(mean, at_means, 0, BITS * words)
         if len(ends):
-            _mix_neighbours(own, mixed)
+            call_words(mean, at_means, 3, BITS * words)
         if unscaled:
-            _copy(cells, columns[0], line, left, width)
+            copy(cells, columns[0], line, left, width)
         else:
             for j in range(width):
                 line[left + j] = cells[columns[j]]

@@ -44,15 +44,9 @@ def shift_edges(columns, words):
     return np.where(moved > columns[-1], moved - group, moved).astype(np.int32)
 
 
-@gate
 def _columns_together(edges, words):
     """Return how many columns, 4, 2 or 1, never lie on both sides of an edge."""
-    group = 4
-    for i in range(edges.size):
-        inside = edges[i] % (2 * words)
-        while inside % group:
-            group >>= 1
-    return group
+    return next(group for group in (4, 2, 1) if not (edges % (2 * words) % group).any())
 
 
 def _full_sum(x, y, z):
@@ -133,11 +127,21 @@ class CountPass:
         self._at_find = np.zeros(self._reader.reads + 2 * sorts, np.int64)
         self._nothing = places[-1]
 
-    def draw(self, planes, where, decor, *how):
+    def draw(self, planes, where, decor, columns, *how):
         """Draw rows of planes as `draw_density` does; decor: as many planes as the pass was made for, may be none."""
         places = self._reader.places(planes, where, decor)
         looked = places, self._at_find, self._nothing, self._reader.bits
-        draw_density(self._codes, looked, self._at_sums, self._scratch, where.stride, where.words, *how)
+        group, width = _columns_together(columns, where.words), len(columns) - 1
+        found = (
+            *_find_edges(columns, where.words, group),
+            np.empty(width + 1, np.int32),  # cells before each edge
+            np.empty((len(self._at_sums), width), np.int32),  # cells of each sort in each pixel
+            np.empty(width, np.float32),  # the share of a cell in each pixel
+            np.empty(3 * int(_GREEN), np.float32),
+            np.zeros((2 * where.words + 1) * int(_SUMS), np.uint64),
+        )
+        counting = self._codes, looked, self._at_sums, self._scratch, found, group
+        draw_density(*counting, where.stride, where.words, columns, *how)
 
 
 @gate
@@ -195,24 +199,17 @@ def _add_to_sums(scratch, word, sums, at):
         sums[at + _EIGHT + r] = sums[at - _EIGHT + r] + ((counts >> _EIGHT) & _HALVES)
 
 
-@gate
-def _find_edges(edges, words, group, starts, places):
-    """Write the first edge of each lane, and the place of each edge's sum in the sums as a flat uint16 array."""
-    starts[:] = edges.size
-    starts[0] = 0
-    for i in range(edges.size):
-        lane = min(edges[i] // (2 * words), BITS - 1)
-        places[i] = _place_of_sum(lane, (edges[i] - lane * 2 * words + group - 1) // group)
-        for each in range(lane, 0, -1):
-            if starts[each] <= i:
-                break
-            starts[each] = i
+def _find_edges(edges, words, group):
+    """Return the first edge of each lane, and the place of each edge's sum in the sums as a flat uint16 array."""
+    lanes = np.minimum(edges // (2 * words), BITS - 1)
+    places = _place_of_sum.py_func(lanes, (edges - lanes * 2 * words + group - 1) // group)
+    return np.searchsorted(lanes, np.arange(BITS + 1)).astype(np.int64), places.astype(np.int64)
 
 
 @gate
 def _place_of_sum(lane, before):
     """Return where the sum is of what `before` places have counted in a lane."""
-    return np.uint32((before * 16 + 8 * ((lane >> 3) & 1) + (lane & 7)) * 4 + (lane >> 4))
+    return (before * 16 + 8 * ((lane >> 3) & 1) + (lane & 7)) * 4 + (lane >> 4)
 
 
 @gate
@@ -277,26 +274,27 @@ def _mix_row(counts, seen, cells, lights, channels, light, line, left):
 
 
 @kernel
-def draw_density(codes, looked, at, scratch, stride, words, columns, rows, lights, channels, pixels, top, left):
+def draw_density(
+    codes, looked, at, scratch, found, group, stride, words, columns, rows, lights, channels, pixels, top, left
+):
     """Draw the mean light of the cells of each pixel into `pixels`, an (h, w) uint32 array, in place.
 
-    codes, looked, at, scratch: how a `CountPass` counts cells. columns: int32, the lattice columns between which the
-    pixels from `left` lie, one more than they are, all different; those that `shift_edges` gives are drawn sooner.
-    rows: int32, the same for the rows from `top`. lights: (1 + sorts, 3) float64, the light of air in levels of
-    0 … LIGHTS - 1, then what a cell of each sort adds to it. channels: (3, LIGHTS) uint32, a level as part of a colour.
+    codes, looked, at, scratch, found, group: how a `CountPass` counts cells, and where. columns: int32, the lattice
+    columns between which the pixels from `left` lie, one more than they are, all different; those that `shift_edges`
+    gives are drawn sooner. rows: int32, the same for the rows from `top`. lights: (1 + sorts, 3) float64, the light of
+    air in levels of 0 … LIGHTS - 1, then what a cell of each sort adds to it. channels: (3, LIGHTS) uint32, a level as
+    part of a colour.
     """
-    width, group, sorts = len(columns) - 1, _columns_together(columns, words), len(lights) - 1
-    sums = np.zeros((2 * words + 1) * 16, np.uint64)
+    starts, places, before, counts, cells, light, sums = found
+    width, sorts = len(columns) - 1, len(lights) - 1
     flat = sums.view(np.uint16)
-    starts, places = np.empty(BITS + 1, np.uint64), np.empty(width + 1, np.uint32)
-    before, counts = np.empty(width + 1, np.int32), np.empty((sorts, width), np.int32)
     seen, ever_seen = np.empty(sorts, np.bool_), np.empty(sorts, np.bool_)
-    cells, light = np.empty(width, np.float32), np.empty(3 * _GREEN, np.float32)
-    _find_edges(columns, words, group, starts, places)
     most = _MOST // group
     for i in range(len(rows) - 1):
-        counts[:] = 0
-        ever_seen[:] = False
+        for sort in range(sorts):
+            ever_seen[sort] = False
+            for j in range(width):
+                counts[sort, j] = 0
         for first in range(rows[i], rows[i + 1], most):
             after = min(first + most, rows[i + 1])
             _stack_rows(codes, looked, at, scratch, stride, words, first, after, seen)

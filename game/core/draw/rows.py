@@ -8,7 +8,7 @@ left of the even columns and at the right of the odd ones.
 import numpy as np
 
 from game.core.draw.looks import Around
-from game.core.jit import gate
+from game.core.jit import copy, gate
 from game.core.planes import BITS, LINE
 
 _ONE, _LAST = np.uint64(1), np.uint64(BITS - 1)
@@ -98,7 +98,6 @@ def find_sides(planes, y, stride, words, outside, sides):
     for bit in range(bits):
         even, beyond = 4 * bit + 2 * (y & 1), np.uint64((outside >> bit) & 1)
         sides[bit, 0] = (planes[even + 1, start + words - 1] << _ONE) | beyond
-        for word in range(1, words):
-            sides[bit, word] = planes[even + 1, start + word - 1]
-            sides[bits + bit, word - 1] = planes[even, start + word]
+        copy(planes[even + 1], start, sides[bit], 1, words - 1)
+        copy(planes[even], start + 1, sides[bits + bit], 0, words - 1)
         sides[bits + bit, words - 1] = (planes[even, start] >> _ONE) | (beyond << _LAST)
