@@ -203,7 +203,7 @@ def _find_edges(edges, words, group):
     """Return the first edge of each lane, and the place of each edge's sum in the sums as a flat uint16 array."""
     lanes = np.minimum(edges // (2 * words), BITS - 1)
     places = _place_of_sum.py_func(lanes, (edges - lanes * 2 * words + group - 1) // group)
-    return np.searchsorted(lanes, np.arange(BITS + 1)).astype(np.int64), places.astype(np.int64)
+    return np.searchsorted(lanes, np.arange(BITS + 1)).astype(np.uint64), places.astype(np.uint32)
 
 
 @gate
