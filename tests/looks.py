@@ -3,10 +3,9 @@
 import numpy as np
 
 from game import World
-from game.core import planes as bit_planes
 from game.core.draw import glass_decor
 from game.core.draw import looks as cells
-from game.core.packing import pack_cells
+from game.world.sand.material_codes import MaterialCodes
 
 
 def looks_of(sand, walls, places=None):
@@ -44,13 +43,10 @@ def looks_of(sand, walls, places=None):
 
 
 def packed_world(codes, substances):
-    """Return a World of (H, W) codes of some Substances; outside there are walls."""
-    where = bit_planes.layout(*codes.shape)
-    planes = bit_planes.empty(where, 4 * substances.bits)
-    for bit in range(substances.bits):
-        planes[4 * bit : 4 * bit + 4] = np.uint64((2**64 - 1) * (substances.outside >> bit & 1))
-        pack_cells(codes >> bit & 1, planes[4 * bit : 4 * bit + 4], where.words)
-    return World(planes, where, 0, 0)
+    """Return a World of (H, W) uint8 codes that Substances tell the looks of."""
+    names = [f"material {code}" for code in range(2**substances.bits)]
+    names[substances.outside] = "wall"
+    return World.of_codes(codes, MaterialCodes(tuple(names)))
 
 
 def general_looks(codes, substances, places=None):

@@ -33,19 +33,19 @@ def _gather(pairs, even, odd, words):
 
 
 @kernel
-def pack_cells(cells, planes, words):
-    """Set the bits of four planes to the values of `cells`, (H, W) uint8 of 0 and 1, in place; the rest stays."""
+def pack_cells(cells, bit, planes, words):
+    """Set the bits of four planes to one bit of `cells`, (H, W) uint8, in place; the rest stays."""
     height, width = cells.shape
     row = np.zeros(2 * BITS * words, np.uint8)
     pairs, used = row.view(np.uint16), np.zeros(2 * BITS * words, np.uint8)
     for x in range(width):
         used[x] = 1
     masks = np.zeros((2, words), np.uint64)
-    bits = np.empty((2, words), np.uint64)
+    bits, number = np.empty((2, words), np.uint64), np.uint8(bit)
     _gather(used.view(np.uint16), masks[0], masks[1], words)
     for y in range(height):
         for x in range(width):  # a loop: the message for slices that differ in length takes seconds to compile
-            row[x] = cells[y, x]
+            row[x] = (cells[y, x] >> number) & np.uint8(1)
         _gather(pairs, bits[0], bits[1], words)
         start = (y >> 1) * (words + 1)
         for parity in range(2):
@@ -56,22 +56,22 @@ def pack_cells(cells, planes, words):
 
 
 @kernel
-def unpack_cells(planes, words, cells):
-    """Write the bits of four planes to `cells`, (H, W) uint8, as 0 and 1, in place."""
-    height, width = cells.shape
+def unpack_cells(planes, words, bit, cells):
+    """Set one bit of `cells`, (H, W) uint8, where that of four planes is set, in place; it was 0."""
+    height, width, number = cells.shape[0], cells.shape[1], np.uint8(bit)
     pairs = np.empty(BITS * words, np.uint16)
     row = pairs.view(np.uint8)
     for y in range(height):
         start = (y >> 1) * (words + 1)
         even, odd = planes[2 * (y & 1)], planes[2 * (y & 1) + 1]
-        for bit in range(BITS):
-            shift, first = np.uint64(bit), bit * words
+        for lane in range(BITS):
+            shift, first = np.uint64(lane), lane * words
             for word in range(words):
                 left = (even[start + word] >> shift) & _ONE
                 right = (odd[start + word] >> shift) & _ONE
                 pairs[first + word] = np.uint16(left | (right << _BYTE))
         for x in range(width):
-            cells[y, x] = row[x]
+            cells[y, x] |= row[x] << number
 
 
 def turned_cells(cells, quarters):

@@ -3,7 +3,7 @@
 import numpy as np
 
 from game.core.jit import gate, kernel
-from game.core.planes import BITS, SAND, WALLS
+from game.core.planes import BITS
 
 DIGITS = 15  # binary places of a height: a lattice is at most 16384 cells high
 
@@ -24,12 +24,12 @@ def _add(digits, ones):
 
 
 @gate
-def _stack(planes, stride, word, parity, top, bottom, digits):
+def _stack(filled, solid, stride, word, parity, top, bottom, digits):
     """Count the grains that rest in the rows from `bottom` - 1 up to `top`, in the columns of one word."""
     standing, resting = _FULL, _ZERO
     for y in range(bottom - 1, top - 1, -1):
         plane, at = 2 * (y & 1) + parity, (y >> 1) * stride + word
-        sand, walls = planes[SAND + plane, at], planes[WALLS + plane, at]
+        sand, walls = filled[plane, at], solid[plane, at]
         standing = (standing & (sand | walls)) | (walls & ~resting)
         resting |= standing & sand
         _add(digits, standing & sand)
@@ -45,17 +45,18 @@ def _number(digits, lane):
 
 
 @kernel
-def stack_heights(planes, stride, words, top, bottom, heights):
+def stack_heights(filled, solid, stride, words, top, bottom, heights):
     """Write how many grains rest on the ground in each column, in rows `top` … `bottom` - 1, to (W,) int64 `heights`.
 
-    The ground is the row `bottom`, or the highest wall below the lowest sand on a wall; sand above a gap is left out.
+    filled, solid: four planes each, of the grains and of the walls. The ground is the row `bottom`, or the highest wall
+    below the lowest sand on a wall; sand above a gap is left out.
     """
     width = len(heights)
     digits = np.empty(DIGITS, np.uint64)
     for word in range(words):
         for parity in range(2):
             digits[:] = _ZERO
-            _stack(planes, stride, word, parity, top, bottom, digits)
+            _stack(filled, solid, stride, word, parity, top, bottom, digits)
             for lane in range(BITS):
                 x = 2 * (lane * words + word) + parity
                 if x < width:

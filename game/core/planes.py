@@ -1,6 +1,6 @@
 """The layout: a lattice as striped bit planes.
 
-Sand and walls are kept apart, and each is split in four by the parity of row and column. Plane row r holds lattice
+Each bit of a cell's code is kept apart, and split in four by the parity of row and column. Plane row r holds lattice
 rows 2r and 2r + 1. A plane row is striped over `words` words: bit k of word j is column k·words + j of the plane, so a
 word's right-hand neighbours are the next word, same bits. Each row ends in one spare word, the seam: in the planes of
 even columns it holds the neighbours of the last word (word 0 shifted down by a bit) while an iteration with odd x runs;
@@ -19,9 +19,10 @@ import numpy as np
 from game.core.jit import gate, kernel
 from game.core.packing import BITS, pack_cells, turned_cells, unpack_cells
 
-SAND = 0  # first plane of sand
-WALLS = 4  # first plane of walls
+SAND = 0  # first plane of sand, in a world of sand
+WALLS = 4  # first plane of walls there
 PLANES = 8
+WALL = 2  # the code of walls there
 COLOURS = 8  # first plane of colours, where a world has any: four planes for each bit, the lowest bit first
 DEPTH = 3  # bits of a colour
 COLOURED_PLANES = COLOURS + 4 * DEPTH
@@ -47,31 +48,36 @@ class Layout(NamedTuple):
     words: int  # words in a plane row, without the seam
     stride: int  # words from one plane row to the next
     length: int  # words in a plane, with padding
+    codes: int  # how many codes there are
+    outside: int  # the code of what is outside the lattice: that of walls
+
+    @property
+    def bits(self):
+        """How many bits a cell's code has."""
+        return max(2, (self.codes - 1).bit_length())
 
 
-def layout(height, width):
-    """Return the layout of a lattice of height x width cells."""
+def layout(height, width, codes=3, outside=WALL):
+    """Return the layout of a lattice of height x width cells that hold so many codes."""
     rows = -(-height // 2)
     words = -(-width // (2 * BITS))
     stride = words + 1
     used = (rows + 1) * stride + LINE  # a row past the end, and the rest of a vector there
-    return Layout(height, width, rows, words, stride, -(-used // PAGE) * PAGE + STAGGER)
+    return Layout(height, width, rows, words, stride, -(-used // PAGE) * PAGE + STAGGER, codes, outside)
 
 
-def pack(sand, walls, colours=None):
-    """Return the planes of two (H, W) bool arrays, and of the colours of the sand, (H, W) uint8, if there are any."""
-    where = layout(*sand.shape)
-    planes = empty(where, PLANES if colours is None else COLOURED_PLANES)
-    planes[:] = 0
-    planes[WALLS:COLOURS] = _FULL
-    pack_cells(sand.view(np.uint8), planes[SAND : SAND + 4], where.words)
-    pack_cells(walls.view(np.uint8), planes[WALLS : WALLS + 4], where.words)
-    for bit, first in enumerate(colour_planes(planes)):
-        pack_cells((colours >> bit) & 1, planes[first : first + 4], where.words)
+def pack(cells, where, colours=None):
+    """Return the planes of (H, W) uint8 codes, and of the colours of the sand, (H, W) uint8, if there are any."""
+    planes = empty(where, 4 * where.bits if colours is None else COLOURED_PLANES)
+    for bit, first in enumerate(range(0, len(planes), 4)):
+        four = planes[first : first + 4]
+        four[:] = _FULL if bit < where.bits and where.outside >> bit & 1 else 0
+        from_codes = bit < where.bits
+        pack_cells(cells if from_codes else colours, bit if from_codes else bit - where.bits, four, where.words)
     return planes
 
 
-def empty(where, number=PLANES):
+def empty(where, number):
     """Return room for a number of planes of a layout, not filled, starting at a cache line as every plane then does."""
     return aligned(number * where.length).reshape(number, where.length)
 
@@ -83,34 +89,57 @@ def aligned(words):
     return room[start : start + words]
 
 
-def unpack(planes, where, first=SAND):
-    """Return the cells of the four planes from `first` as an (H, W) bool array."""
-    cells = np.empty((where.height, where.width), np.uint8)
-    unpack_cells(planes[first : first + 4], where.words, cells)
-    return cells.view(np.bool_)
+def unpack(planes, where):
+    """Return the codes of the cells as an (H, W) uint8 array."""
+    return _unpacked(planes[: 4 * where.bits], where)
 
 
-def colour_planes(planes):
-    """Return the first of the four planes of each bit of the colours, the lowest bit first; none without colours."""
-    return range(COLOURS, len(planes), 4)
+def unpack_where(planes, where, codes):
+    """Return which cells have one of a set of codes as an (H, W) bool array."""
+    return _unpacked(planes_where(planes, where, codes), where).view(np.bool_)
+
+
+def planes_where(planes, where, codes):
+    """Return four planes of the cells that have one of a set of codes: a view of those given, or a new array."""
+    for bit in range(where.bits):
+        if set(codes) == {code for code in range(where.codes) if code >> bit & 1}:
+            return planes[4 * bit : 4 * bit + 4]
+    found = np.zeros((4, where.length), np.uint64)
+    for code in codes:
+        same = np.full((4, where.length), _FULL)
+        for bit in range(where.bits):
+            four = planes[4 * bit : 4 * bit + 4]
+            same &= four if code >> bit & 1 else ~four
+        found |= same
+    return found
 
 
 def unpack_colours(planes, where):
     """Return the colours of the cells, 0 where there is no sand, as an (H, W) uint8 array."""
-    colours = np.zeros((where.height, where.width), np.uint8)
-    for bit, first in enumerate(colour_planes(planes)):
-        colours |= unpack(planes, where, first).view(np.uint8) << bit
-    return colours * unpack(planes, where)
+    if not has_colours(planes, where):
+        return np.zeros((where.height, where.width), np.uint8)
+    return _unpacked(planes[COLOURS:], where) * _unpacked(planes[SAND:WALLS], where)
 
 
-def count_colours(planes, where):
-    """Return how many cells have sand of each colour: a list of 2**DEPTH ints."""
-    counts = np.zeros(2**DEPTH, np.int64)
-    if len(planes) > PLANES:
-        _count_colours(planes, where.rows, where.words, counts)
-    else:
-        counts[0] = count(planes, where)
-    return counts.tolist()
+def _unpacked(planes, where):
+    """Return the numbers whose bits are planes, four for each bit, as an (H, W) uint8 array."""
+    cells = np.zeros((where.height, where.width), np.uint8)
+    for bit, first in enumerate(range(0, len(planes), 4)):
+        unpack_cells(planes[first : first + 4], where.words, bit, cells)
+    return cells
+
+
+def has_colours(planes, where):
+    """Return whether there are planes of colours."""
+    return len(planes) > 4 * where.bits
+
+
+def count(planes, where, contents):
+    """Return how many cells have each content, code + 2**bits · colour, as a tuple of ints."""
+    counts = np.zeros(len(contents), np.int64)
+    _count(planes, where.rows, where.words, len(planes) // 4, np.array(contents, np.int64), counts)
+    around = 4 * BITS * where.words * where.rows - where.height * where.width  # cells outside, in the same words
+    return tuple(int(n) - around * (content == where.outside) for n, content in zip(counts, contents, strict=True))
 
 
 def with_colours(planes, where):
@@ -122,44 +151,38 @@ def with_colours(planes, where):
 
 
 def without_colours(planes, where):
-    """Return the planes of sand and walls alone, in memory of their own."""
-    fewer = empty(where)
-    fewer[:] = planes[:PLANES]
+    """Return the planes of codes alone, in memory of their own."""
+    fewer = empty(where, 4 * where.bits)
+    fewer[:] = planes[: len(fewer)]
     return fewer
 
 
-def count(planes, where, first=SAND):
-    """Return how many cells of the four planes from `first` are set."""
-    rows = planes[first : first + 4, : where.rows * where.stride].reshape(4, where.rows, where.stride)
-    return sum(int(np.bitwise_count(plane[:, : where.words]).sum()) for plane in rows)
+def count_set(four, where, row=None):
+    """Return how many cells of four planes are set, all of them or those above lattice row `row`."""
+    rows = where.rows if row is None else row // 2
+    lines = four[:, : where.rows * where.stride].reshape(4, where.rows, where.stride)[:, :, : where.words]
+    whole = int(np.bitwise_count(lines[:, :rows]).sum())
+    return whole + (int(np.bitwise_count(lines[:2, rows]).sum()) if row is not None and row % 2 else 0)
 
 
-def count_above(planes, where, row, first=SAND):
-    """Return how many cells above lattice row `row` are set in the four planes from `first`."""
-    whole = count(planes, where._replace(rows=row // 2), first)
-    start = row // 2 * where.stride
-    return whole + (
-        int(np.bitwise_count(planes[first : first + 2, start : start + where.words]).sum()) if row % 2 else 0
-    )
-
-
-def bands(planes, where, first=SAND, height=64):
-    """Yield the cells of the four planes from `first` as (height or less, W) bool arrays, from the top down."""
+def bands(planes, where, height=64):
+    """Yield the codes of the cells as (height or less, W) uint8 arrays, from the top down."""
     for top in range(0, where.height, height):
         start = top // 2 * where.stride
-        band = where._replace(height=min(height, where.height - top))
-        yield unpack(planes[:, start:], band, first)
+        yield unpack(planes[:, start:], where._replace(height=min(height, where.height - top)))
 
 
 def turned(planes, where, quarters):
     """Return the planes of the lattice after so many quarter turns, clockwise."""
-    sand, walls = (turned_cells(unpack(planes, where, first), quarters) for first in (SAND, WALLS))
-    if len(planes) == PLANES:
-        return pack(sand, walls)
-    colours = np.zeros(sand.shape, np.uint8)
-    for bit, first in enumerate(colour_planes(planes)):
-        colours |= turned_cells(unpack(planes, where, first), quarters).view(np.uint8) << bit
-    return pack(sand, walls, colours * sand)
+    height, width = (where.width, where.height) if quarters % 2 else (where.height, where.width)
+    after = layout(height, width, where.codes, where.outside)
+    new = empty(after, len(planes))
+    for bit, first in enumerate(range(0, len(planes), 4)):
+        four = new[first : first + 4]
+        four[:] = _FULL if bit < where.bits and where.outside >> bit & 1 else 0
+        cells = _unpacked(planes[first : first + 4], where).view(np.bool_)
+        pack_cells(turned_cells(cells, quarters).view(np.uint8), 0, four, after.words)
+    return new
 
 
 @gate
@@ -171,20 +194,21 @@ def _ones(word):
 
 
 @gate
-def _if_set(word, colour, bit):
-    """Return a word where the bit of the colour is 1, else its opposite."""
-    return word if (colour >> bit) & 1 else ~word
+def _select(word, is_set):
+    """Return a word, or its opposite where the bit looked for is 0."""
+    return word if is_set else ~word
 
 
 @kernel
-def _count_colours(planes, rows, words, counts):
-    """Add up the grains of each colour in `counts`, (2**DEPTH,) int64, in place."""
+def _count(planes, rows, words, bits, contents, counts):
+    """Add up the cells of each content in `counts`, int64, in place."""
     for plane in range(4):
-        low, middle, high = planes[COLOURS + plane], planes[COLOURS + 4 + plane], planes[COLOURS + 8 + plane]
-        for colour in range(len(counts)):
-            found = np.uint64(0)
-            for start in range(0, rows * (words + 1), words + 1):
+        for start in range(0, rows * (words + 1), words + 1):
+            for number in range(len(contents)):
+                found = np.uint64(0)
                 for i in range(start, start + words):
-                    same = _if_set(low[i], colour, 0) & _if_set(middle[i], colour, 1) & _if_set(high[i], colour, 2)
-                    found += _ones(planes[SAND + plane, i] & same)
-            counts[colour] += np.int64(found)
+                    same = _FULL
+                    for bit in range(bits):
+                        same &= _select(planes[4 * bit + plane, i], (contents[number] >> bit) & 1)
+                    found += _ones(same)
+                counts[number] += np.int64(found)

@@ -114,12 +114,12 @@ def _extremes():
 def _ensembles():
     """Yield rows on the sums of a million replicas."""
     runs, (sand, walls) = 10**6, sand_and_walls(LATTICES["wide neck"])
-    states = states_at(sand, walls, SEVEN, [30], runs, SEED)[0]
+    states = states_at(World.from_cells(sand, walls, SEED), SEVEN, [30], runs)[0]
     wrong = int((np.bitwise_count(states) != sand.sum()).sum())
     yield report.same(f"replicas of {runs:,} with a grain too many or too few", wrong, 0, CONSERVED)
     places = np.arange(sand.size, dtype=np.uint64)
     counts = [int(((states >> place) & np.uint64(1)).sum()) for place in places]
-    mean = density(sand, walls, SEVEN, 30, runs, SEED).ravel()
+    mean = density(World.from_cells(sand, walls, SEED), SEVEN, 30, runs).ravel()
     wrong = sum(each != count / runs for each, count in zip(mean, counts, strict=True))
     yield report.same(f"cells whose mean over {runs:,} replicas is not the exact quotient", wrong, 0, ARITHMETIC)
 

@@ -126,11 +126,18 @@ def _lean(schedule, p, right, runs):
         seeds = ((SEED << 32) + 2 * batch + late for late in (0, 1))
         rule = Rule.with_p(p, schedule)
         counts = sum(
-            counts_at(sand, walls, rule, [MOMENT], runs, seed, 2 * late)[0] for late, seed in enumerate(seeds)
+            counts_at(_late(World.from_cells(sand, walls, seed), 2 * late), rule, [MOMENT], runs)[0]
+            for late, seed in enumerate(seeds)
         )[SIDE // 2 + 1 :]
         sides = counts[:, axis + 1 :].sum(), counts[:, :axis].sum()
         leans.append([100.0 * (sides[0] - sides[1]) / sum(sides)])
     return Sample.of(leans)
+
+
+def _late(world, iterations):
+    """Return the world, which is at another partition of the schedule after so many iterations."""
+    world.iteration += iterations
+    return world
 
 
 def _stuck():

@@ -72,13 +72,13 @@ def test_each_colour_is_conserved_and_the_cells_evolve_as_without(kind, schedule
     rule = Rule(*KINDS[kind], schedule=schedule)
     plain = random_world(generator, 150, 261, seed=3, sand=0.3, walls=0.1)
     world = coloured(plain, generator)
-    counts = world.grains_by_colour
+    counts = world.amounts
     assert min(counts) > 0 and sum(counts) == plain.grains
     for some in (1, 2, 30, 100):
         advance(plain, rule, some)
         advance(world, rule, some)
         assert (world.planes[: len(plain.planes)] == plain.planes).all()
-        assert world.grains_by_colour == counts == tuple(np.bincount(world.colours[world.sand], minlength=8))
+        assert world.amounts == counts == tuple(np.bincount(world.colours[world.sand], minlength=8))
         assert not world.colours[~world.sand].any()
 
 

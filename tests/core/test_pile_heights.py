@@ -54,4 +54,4 @@ def test_grains_above_a_row_are_counted_from_bits_whatever_is_in_the_seams(shape
     world.planes[:4, where.words :: where.stride] = generator.integers(0, 2**63)
     for row in range(-1, shape[0] + 2):
         assert grains_above(world, row) == sand[: max(row, 0)].sum()
-    assert bit_planes.count_above(world.planes, where, shape[0]) == sand.sum()
+    assert bit_planes.count_set(world.filled_planes, where, shape[0]) == sand.sum()

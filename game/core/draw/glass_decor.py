@@ -23,8 +23,8 @@ POST_GAP, POST_WIDTH = 120, 36  # to a cell of post or of the gap beside it: so 
 
 def decor_of(walls, where):
     """Return the decor planes of a lattice's walls, given as four planes: (8, length) uint64, the first bits first."""
-    places = places_of(unpack(walls, where))
-    return pack((places & 1).view(np.bool_), (places >> 1).view(np.bool_))[:8]
+    places = places_of(unpack(walls, where).view(np.bool_))
+    return pack(places, where._replace(codes=4, outside=FREE))
 
 
 def places_of(walls):

@@ -37,23 +37,25 @@ class Replicas(NamedTuple):
     seeds: np.ndarray  # (words,) uint64: each word's own seed
 
 
-def replicate(codes, moving, seed, first, runs):
+def replicate(codes, moving, seed, first, runs, more_bits=0):
     """Return `runs` replicas of cells, (H, W) uint8 codes, the first of them number `first`, a multiple of 64.
 
-    moving: the Pass that is to move them. Bits past the last replica take no part.
+    moving: the Pass that is to move them. more_bits: a number whose bits change beside those that it changes. Bits past
+    the last replica take no part.
     """
     height, width = codes.shape
     full = full_words(runs, moving.lanes)
-    shape = height + 2, width + 2, int(moving.changing.sum()), len(full)
+    changing = moving.changing | [bool(more_bits >> bit & 1) for bit in range(len(moving.changing))]
+    shape = height + 2, width + 2, int(changing.sum()), len(full)
     size = int(np.prod(shape))
     flat = np.zeros(size + 2 * len(full), np.uint64)
     flat[size + len(full) :] = _FULL
     bordered = np.full(shape[:2], moving.outside_code, np.uint8)
     bordered[1:-1, 1:-1] = codes
     cells = flat[:size].reshape(shape)
-    fill(cells, bordered, np.flatnonzero(moving.changing), full)
+    fill(cells, bordered, np.flatnonzero(changing), full)
     seeds = word_seeds(np.uint64(seed), first // BITS, len(full))
-    return Replicas(flat, cells, bordered, moving.changing, full, np.ones(bordered.shape, np.uint8), seeds)
+    return Replicas(flat, cells, bordered, changing, full, np.ones(bordered.shape, np.uint8), seeds)
 
 
 def full_words(runs, lanes=1):

@@ -1,83 +1,60 @@
-"""Floods: the cells that one cell is connected with, side by side, through cells of its own kind."""
+"""Floods: the cells that one cell is connected with, side by side, through cells of its own code."""
 
 import numpy as np
 
 from game.core import planes as bit_planes
 from game.core.jit import gate, kernel
-from game.core.paint.ink import EMPTY, GRAIN, WALL, put
+from game.core.paint.ink import put
 
 _ONE = np.uint64(1)
 _LAST = np.uint64(63)
 _DOUBLINGS = tuple(np.uint64(2**k) for k in range(6))
 
 
-def kind_of(planes, where, x, y):
-    """Return the kind of the cell in column x and row y."""
-    plane, at, lane = _place(where, x, y)
-    for kind, first in ((GRAIN, bit_planes.SAND), (WALL, bit_planes.WALLS)):
-        if int(planes[first + plane, at] >> lane) & 1:
-            return kind
-    return EMPTY
-
-
-def colour_of(planes, where, x, y):
-    """Return the colour of the grain in column x and row y."""
-    plane, at, lane = _place(where, x, y)
-    bits = bit_planes.colour_planes(planes)
-    return sum((int(planes[first + plane, at] >> lane) & 1) << bit for bit, first in enumerate(bits))
-
-
-def _place(where, x, y):
-    """Return the plane among four, the word and the bit of the cell in column x and row y."""
+def content_of(planes, where, x, y):
+    """Return the content of the cell in column x and row y: code + 2**bits · colour."""
     lane = np.uint64((x >> 1) // where.words)
-    return 2 * (y & 1) + (x & 1), (y >> 1) * where.stride + (x >> 1) % where.words, lane
+    plane, at = 2 * (y & 1) + (x & 1), (y >> 1) * where.stride + (x >> 1) % where.words
+    return sum((int(four[at] >> lane) & 1) << bit for bit, four in enumerate(planes[plane::4]))
 
 
-def flood(planes, where, x, y, ink):
-    """Let the cells take `ink` that are connected with the one in column x and row y, in place.
+def flood(planes, where, x, y, tally):
+    """Let the cells take the ink of a Tally that are connected with the one in column x and row y, in place.
 
-    Return (change in grains, first row, row after the last).
+    Return (first row, row after the last).
     """
-    kind = kind_of(planes, where, x, y)
-    wet = connected(_cells_of_kind(planes, where, kind), x, y)
+    code = content_of(planes, where, x, y) % 2**where.bits
+    wet = connected(bit_planes.unpack_where(planes, where, {code}), x, y)
     rows = np.flatnonzero(wet.any(axis=1))
     top, bottom = int(rows[0]), int(rows[-1]) + 1
-    if ink.tally is not None or ink.spray:
-        return _take_singly(planes, where.words, wet, top, bottom, ink), top, bottom
-    return _take_together(planes, where, wet, kind, ink), top, bottom
+    if bit_planes.has_colours(planes, where) or tally.ink.spray:
+        _take_singly(planes, where.words, wet, top, bottom, tally)
+    elif (tally.ink.taken >> code) & 1:
+        _take_together(planes, where, wet, code, tally)
+    return top, bottom
 
 
-def _cells_of_kind(planes, where, kind):
-    """Return where cells of a kind are, (H, W) bool."""
-    if kind == GRAIN:
-        return bit_planes.unpack(planes, where, bit_planes.SAND)
-    walls = bit_planes.unpack(planes, where, bit_planes.WALLS)
-    if kind == EMPTY:
-        walls |= bit_planes.unpack(planes, where, bit_planes.SAND)
-        np.logical_not(walls, out=walls)
-    return walls
-
-
-def _take_together(planes, where, wet, kind, ink):
-    """Let all wet cells, of one kind, take an ink without colours, in place; return the change in grains."""
-    if not (ink.kinds >> kind) & 1:
-        return 0
-    for first, material in ((bit_planes.SAND, GRAIN), (bit_planes.WALLS, WALL)):
-        cells = bit_planes.unpack(planes, where, first)
-        np.copyto(cells, ink.material == material, where=wet)
-        bit_planes.pack_cells(cells.view(np.uint8), planes[first : first + 4], where.words)
-    return (int(ink.material == GRAIN) - int(kind == GRAIN)) * int(np.count_nonzero(wet))
+def _take_together(planes, where, wet, code, tally):
+    """Let all wet cells, of one code, take an ink without colours, in place."""
+    for bit, first in enumerate(range(0, len(planes), 4)):
+        if (code ^ tally.ink.code) >> bit & 1:
+            four = planes[first : first + 4]
+            cells = np.zeros(wet.shape, np.uint8)
+            bit_planes.unpack_cells(four, where.words, 0, cells)
+            np.copyto(cells, np.uint8(tally.ink.code >> bit & 1), where=wet)
+            bit_planes.pack_cells(cells, 0, four, where.words)
+    number = int(np.count_nonzero(wet))
+    tally.change[code] -= number
+    tally.change[tally.ink.code] += number
 
 
 @kernel
-def _take_singly(planes, words, wet, top, bottom, ink):
-    """Let each wet cell take `ink`, in place; return the change in grains."""
-    change = 0
+def _take_singly(planes, words, wet, top, bottom, tally):
+    """Let each wet cell take the ink of a Tally, in place."""
     for y in range(top, bottom):
         for x in range(wet.shape[1]):
             if wet[y, x]:
-                change += put(planes, words, x, y, ink)
-    return change
+                put(planes, words, x, y, tally)
 
 
 def connected(cells, x, y):

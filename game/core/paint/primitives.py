@@ -26,19 +26,17 @@ def covers(kind, x, y, left, top, right, bottom):
 
 
 @kernel
-def figure(planes, height, width, words, kind, left, top, right, bottom, edge, ink):
-    """Let the cells of the figure that fills columns left … right - 1, rows top … bottom - 1 take `ink`, in place.
+def figure(planes, height, width, words, kind, left, top, right, bottom, edge, tally):
+    """Let the cells of the figure that fills columns left … right - 1, rows top … bottom - 1 take the ink of a Tally.
 
-    edge: how many cells of it are drawn inwards from its outline; 0 draws all. Return the change in grains.
+    edge: how many cells of it are drawn inwards from its outline; 0 draws all.
     """
     middle_x, middle_y = (left + right) / 2, (top + bottom) / 2
     radius_x, radius_y = (right - left) / 2, (bottom - top) / 2
-    change = 0
     for y in range(max(0, top), min(height, bottom)):
         for x in range(max(0, left), min(width, right)):
             if not _inside(kind, x + 0.5, y + 0.5, middle_x, middle_y, radius_x, radius_y):
                 continue
             if edge and _inside(kind, x + 0.5, y + 0.5, middle_x, middle_y, radius_x - edge, radius_y - edge):
                 continue
-            change += put(planes, words, x, y, ink)
-    return change
+            put(planes, words, x, y, tally)

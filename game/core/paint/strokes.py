@@ -57,14 +57,12 @@ def comes_over(shape, x, y, x0, y0, x1, y1, radius):
 
 
 @kernel
-def stroke(planes, height, width, words, x0, y0, x1, y1, radius, shape, ink):
-    """Let the cells take `ink` whose middle a brush comes over from (x0, y0) to (x1, y1), in place.
+def stroke(planes, height, width, words, x0, y0, x1, y1, radius, shape, tally):
+    """Let the cells take the ink of a Tally whose middle a brush comes over from (x0, y0) to (x1, y1), in place.
 
-    Lengths are in cells; radius: half the brush's width. Return the change in grains.
+    Lengths are in cells; radius: half the brush's width.
     """
-    change = 0
     for y in range(max(0, int(np.floor(min(y0, y1) - radius))), min(height, int(np.ceil(max(y0, y1) + radius)) + 1)):
         for x in range(max(0, int(np.floor(min(x0, x1) - radius))), min(width, int(np.ceil(max(x0, x1) + radius)) + 1)):
             if _reached(shape, x + 0.5, y + 0.5, x0, y0, x1, y1, radius):
-                change += put(planes, words, x, y, ink)
-    return change
+                put(planes, words, x, y, tally)

@@ -9,7 +9,7 @@ from game.play.controls.gestures import Press, Span, Trail
 from game.play.view.outlines import box_outline, brush_outline, mark
 from game.world.sand import parameters
 from game.world.sand.sand_colours import AMBER, COLOURS, DYES
-from game.world.sessions.action import KINDS, SHAPES, USUAL_SHAPE, Fill, Paint, SetFixtures, box, snap
+from game.world.sessions.action import EMPTY_CELLS, SHAPES, USUAL_SHAPE, Fill, Paint, SetFixtures, box, snap
 
 MATERIALS = ("sand", "wall", "erase")
 TOOLS = {  # the gesture that each makes
@@ -90,14 +90,14 @@ class Brush:
             self._before_pick = self.tool
         self.tool = tool
 
-    def take(self, kind, colour):
-        """Paint with a kind of cell from now on, None for none, with the tool that was in hand before the picking.
+    def take(self, material, colour):
+        """Paint with a material from now on, with the tool that was in hand before the picking.
 
         colour: the number of the colour of what was picked, if that is sand.
         """
-        if kind == KINDS["sand"]:
+        if material == "sand":
             self.colour = COLOURS[colour]
-        self.material = next((name for name in MATERIALS if KINDS.get(name) == kind), "erase")
+        self.material = "erase" if material == EMPTY_CELLS else material
         self.tool = self._before_pick
 
     def next_shape(self):

@@ -8,7 +8,7 @@ to show meanwhile, in cells, or None for those of the tool at rest.
 import math
 
 from game.play.view.outlines import box_outline, brush_outline, ellipse_outline, hull
-from game.world.sessions.action import KINDS, Draw, Fill, Paint, box, cell, snap
+from game.world.sessions.action import EMPTY_CELLS, Draw, Fill, Paint, box, cell, snap
 
 STEP = math.pi / 4  # a line that is held straight goes in steps of this angle
 
@@ -20,7 +20,7 @@ class Trail:
 
     def __init__(self, brush, place, world):
         self._brush, self._last = brush, place
-        self._only = name_of(world.kind_at(*cell(place))) if brush.tool == "replace" else ""
+        self._only = material_at(world, place) if brush.tool == "replace" else ""
 
     def go(self, place, _straight):
         """Paint on the way to a place."""
@@ -93,12 +93,13 @@ class Press:
             return []
         if brush.tool == "fill":
             return [Fill(brush.ink, snap(place, 1), brush.dye)]
-        brush.take(world.kind_at(*cell(place)), world.colour_at(*cell(place)))
+        brush.take(material_at(world, place), world.colour_at(*cell(place)))
         return []
 
     end = go
 
 
-def name_of(kind):
-    """Return the name in KINDS of a kind of cell; that of nothing outside of the lattice, where nothing is changed."""
-    return next((name for name, number in KINDS.items() if number == kind), "empty")
+def material_at(world, place):
+    """Return the name of what a cell holds; that of nothing for air and outside of the lattice."""
+    code = world.code_at(*cell(place))
+    return world.codes.names[code] if code else EMPTY_CELLS

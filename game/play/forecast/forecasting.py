@@ -76,9 +76,7 @@ class Forecasting:
         world, before = self._sessions.now.world, self._requested
         self._requested = subject, world.iteration
         crop, runs = Crop(world, subject.box), parameters.RUNS.default
-        request = ForecastRequest(
-            crop, subject.rule, subject.ahead, world.iteration, world.seed, runs, (subject, now_s)
-        )
+        request = ForecastRequest(crop, subject.rule, subject.ahead, runs, about=(subject, now_s))
         self.thread.ask(request, hurry=before is None or before[0] != subject)
 
     def _take(self, subject, now_s):
@@ -91,7 +89,7 @@ class Forecasting:
             answer, self.stale = None, False
         else:
             now = self._sessions.now.world.iteration
-            current = about == subject and request.start <= now <= request.start + request.ahead
+            current = about == subject and 0 <= now - request.crop.iteration <= request.ahead
             self._current_s = now_s if current else max(self._current_s, requested_s)
             self.stale = now_s - self._current_s > STALE_S
         self.answer = answer

@@ -54,7 +54,7 @@ class Legend:
         if answer is None:
             return UNKNOWN
         session, request = self._sessions.now, answer.request
-        ago = session.world.iteration - request.start
+        ago = session.world.iteration - request.crop.iteration
         lines = [
             f"Sand at iteration {session.now - ago + request.ahead:,}",
             _accuracy(answer),

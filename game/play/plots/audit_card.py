@@ -46,13 +46,13 @@ class AuditTable(NamedTuple):
 
 def card(theme, rect, account, counted):
     """Return the strokes of the card of a GrainAccount in `rect`, where so many grains of each colour were counted."""
-    grains, balanced = sum(counted), counted == account.expected_by_colour
+    grains, balanced = sum(counted), account.agrees(counted)
     strokes, room = charts.card(theme, rect, "Audit", "every grain is there" if balanced else "")
     if not balanced:
         head = (room.x, rect.y + theme.px(charts.PAD // 2), room.width, theme.px(charts.HEAD))
         said = f"but {grains:,} are there" if grains != account.expected else "but in other colours"
         strokes.append((draw_list.words, head, said, look.SMALL, look.ACCENT, 1))
-    if not account.coloured:
+    if not account.mixed:
         return strokes + _sums(theme, room, account, len(account.lines))
     table = _fitting(theme, room, account)
     if table.sums:

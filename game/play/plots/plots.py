@@ -12,7 +12,7 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.world.files.atomic import save_as_new
 from game.world.files.paths import numbered, save_new
-from game.world.sessions.measurements import COLUMNS, PROFILE_COLUMNS, Measurements, csv
+from game.world.sessions.measurements import PROFILE_COLUMNS, Measurements, csv
 from game.world.sessions.session import BUDGET_NS
 
 SAMPLE_S = 0.25
@@ -112,11 +112,11 @@ class Plots:
         if not self.measurements:
             self._notices.say("Nothing has been measured yet. L opens the plots.")
             return
-        name, rows = self._sessions.now.scene.name, self.measurements.rows()
+        name, columns, rows = self._sessions.now.scene.name, self.measurements.columns, self.measurements.rows()
         profile = list(enumerate(self.measurements.heights.tolist()))
 
         def work():
-            path = save_new("measures", name, ".csv", csv(COLUMNS, rows))
+            path = save_new("measures", name, ".csv", csv(columns, rows))
             save_as_new(numbered(path.with_name(f"{path.stem} profile.csv")), csv(PROFILE_COLUMNS, profile))
             return path
 
@@ -142,7 +142,7 @@ class Plots:
     def _edges(self, length, tall):
         """Return where the cards begin and end along the area; the audit of coloured sand may take more than others."""
         account, audit = self._sessions.now.account, length // CARDS
-        if account.coloured:
+        if account.mixed:
             theme, gap = self._display.theme, self._display.theme.px(GAP)
             most = round(MOST_AUDIT * length)
             if not tall:
@@ -203,7 +203,7 @@ class Plots:
 
     def _audit(self, rect):
         session = self._sessions.now
-        return card(self._display.theme, rect, session.account, session.world.grains_by_colour)
+        return card(self._display.theme, rect, session.account, session.world.amounts)
 
     def _nows(self):
         return [each.now for each in self.measurements.samples]

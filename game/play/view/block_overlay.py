@@ -10,7 +10,7 @@ import numpy as np
 import pygame
 
 from game.play.ui import theme as look
-from game.world.sand.block_events import MOVES, coming_events, happened, offset
+from game.world.sand.block_events import coming_events, happened, moves_between, offset
 from game.world.sand.crop import CropBox
 
 LEAST_CELL = 8  # pixels: in smaller cells no arrow can be seen
@@ -68,10 +68,11 @@ class BlockOverlay:
         cell, clip = view.cell, surface.get_clip()
         surface.set_clip(clip.clip(self._display.sand_view.area))
         _draw_lines(surface, view, offset(self._known[0], self._known[3]), theme)
+        bits = self._known[0].layout.bits
         inks = tuple(theme.rgb(role) for role in (look.SUNKEN, look.DIM, look.BRIGHT_HANDLE))
         for events, sprite_of in ((self.trails, _trail), (self.stays, _stay), (self.coming, _arrow)):
             if events is not None:
-                _draw_moves(surface, view, events, lambda move, of=sprite_of: of(round(cell), move, inks))
+                _draw_moves(surface, view, events, bits, lambda moves, of=sprite_of: of(round(cell), moves, inks))
         if cell >= LEAST_WORDS * theme.scale:
             _draw_chances(surface, view, self.coming, theme)
         surface.set_clip(clip)
@@ -121,20 +122,23 @@ def _draw_lines(surface, view, first, theme):
                 surface.fill(colour, (left, _edge(view.pixel(0, row)[1]) - wide // 2, right - left, wide))
 
 
-def _draw_moves(surface, view, events, sprite_of):
-    """Draw a sprite for every grain of every event, over the corners of its block."""
+def _draw_moves(surface, view, events, bits, sprite_of):
+    """Draw a sprite for every outcome of every event, over the corners of its block."""
     sprites = []
-    for row, column, move in zip(*(each.tolist() for each in events[:3]), strict=True):
+    for row, column, before, after in zip(*(each.tolist() for each in events[:4]), strict=True):
         x, y = view.pixel(column, row)
-        place = _edge(x), _edge(y)
-        sprites.append((sprite_of(move), place))
+        sprites.append((sprite_of(moves_between(before, after, bits)), (_edge(x), _edge(y))))
     surface.blits(sprites, False)
 
 
 def _draw_chances(surface, view, events, theme):
-    """Write the chance of each event that is left to it."""
-    left_to_chance = events.only(events.chances < 1)
-    for row, column, _, chance in zip(*(each.tolist() for each in left_to_chance), strict=True):
+    """Write into each block how likely it is to change, where that is left to chance."""
+    chances = {}
+    for row, column, chance in zip(events.rows.tolist(), events.columns.tolist(), events.chances.tolist(), strict=True):
+        chances[row, column] = chances.get((row, column), 0.0) + chance
+    for (row, column), chance in chances.items():
+        if chance >= 1:
+            continue
         x, y = view.pixel(column + 1, row + 1)
         words = theme.words(f"{chance:.2g}", look.SMALL, look.TEXT)
         page = words.get_rect(center=(round(x), round(y)))
@@ -143,20 +147,24 @@ def _draw_chances(surface, view, events, theme):
 
 
 @lru_cache(maxsize=256)
-def _arrow(cell, move, inks):
-    """Return arrows for the grains of a move, in a sprite the size of a block."""
+def _arrow(cell, moves, inks):
+    """Return arrows for what moves, and spots for what changes, in a sprite the size of a block."""
     canvas = _canvas(cell)
-    for start, end in MOVES[move]:
+    for start, end in moves:
         for colour, margin in ((inks[0], cell * 0.06), (inks[2], 0)):
+            if start == end:
+                middle = [(part + 0.5) * cell * SMOOTHING for part in end[::-1]]
+                pygame.draw.circle(canvas, colour, middle, (cell * 0.2 + margin) * SMOOTHING)
+                continue
             pygame.draw.polygon(canvas, colour, _arrow_points(start, end, cell, margin))
     return pygame.transform.smoothscale(canvas, (2 * cell, 2 * cell))
 
 
 @lru_cache(maxsize=256)
-def _trail(cell, move, inks):
-    """Return the ways that the grains of a move have come, as dots that grow."""
+def _trail(cell, moves, inks):
+    """Return the ways that what moved has come, as dots that grow."""
     canvas = _canvas(cell)
-    for start, end in MOVES[move]:
+    for start, end in moves:
         for number, share in enumerate((0.0, 0.3, 0.55)):
             x, y = ((s + share * (e - s) + 0.5) * cell * SMOOTHING for s, e in zip(start[::-1], end[::-1], strict=True))
             radius = cell * SMOOTHING * (0.07 + 0.025 * number)
@@ -165,10 +173,10 @@ def _trail(cell, move, inks):
 
 
 @lru_cache(maxsize=256)
-def _stay(cell, move, inks):
-    """Return a ring around each grain of a move that chance has refused."""
+def _stay(cell, moves, inks):
+    """Return a ring around each grain that chance has refused."""
     canvas = _canvas(cell)
-    for (row, column), _ in MOVES[move]:
+    for (row, column), _ in moves:
         middle = (column + 0.5) * cell * SMOOTHING, (row + 0.5) * cell * SMOOTHING
         ring = cell * SMOOTHING * 0.36, max(1, round(cell * SMOOTHING * 0.07))
         pygame.draw.circle(canvas, inks[0], middle, *ring)

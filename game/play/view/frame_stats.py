@@ -52,7 +52,7 @@ class FrameStats:
         self._since_s = now_s if self._since_s is None else self._since_s
         if now_s - self._since_s >= REFRESH_S:
             self.reading = read(self._frames, now_s - self._since_s)
-            self.account, self.grains = session.account, session.world.grains_by_colour
+            self.account, self.grains = session.account, session.world.amounts
             self._frames, self._since_s = [], now_s
 
 

@@ -84,7 +84,7 @@ def _books(stats):
     """Return the books of the grains at the latest reading."""
     account, grains = stats.account, sum(stats.grains)
     books = " ".join(f"{sign} {number:,} {word}".strip() for sign, word, number in account.lines)
-    return f"Grains: {books}" + ("" if grains == account.expected else f", but there are {grains:,}")
+    return f"Grains: {books}" + ("" if account.agrees(stats.grains) else f", but there are {grains:,}")
 
 
 def _told(reading, session):

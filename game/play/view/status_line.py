@@ -24,9 +24,9 @@ class StatusLine:
         reading, grains, account = self._stats.reading, self._stats.grains, self._stats.account
         if reading is self._written:
             return
-        self._written, books = reading, account.expected_by_colour
-        self._pace, self._grains = _pace(reading, session), _grains(grains, books)
-        self._alarm = (reading.full and not session.paused) or grains != books
+        self._written, balanced = reading, account.agrees(grains)
+        self._pace, self._grains = _pace(reading, session), _grains(grains, account)
+        self._alarm = (reading.full and not session.paused) or not balanced
 
     def drawing(self, theme, rect, session, said="", aside="", notice=None, badge=None):
         """Return the strokes of the line in `rect`: a value that changes only when the line does.
@@ -97,12 +97,13 @@ def _pace(reading, session):
     return counted(speed if near else reading.done, "iteration") + " a second"
 
 
-def _grains(now, books):
-    """Return how many grains there are, and what is wrong where the books, by colour like them, tell of others."""
+def _grains(now, account):
+    """Return how many grains there are, and what is wrong where the account, by kind like them, tells of others."""
     said = counted(sum(now), "grain")
-    if now == books:
+    if account.agrees(now):
         return said
-    return f"{said}, but {sum(books):,} in the account" if sum(now) != sum(books) else f"{said}, of wrong colours"
+    wrong = f"but {account.expected:,} in the account" if sum(now) != account.expected else "of wrong colours"
+    return f"{said}, {wrong}"
 
 
 def counted(number, what):

@@ -42,7 +42,7 @@ def same_with_colours(world, coloured, rule, most):
     for each in (plain, dyed):
         advance(each, rule, iterations)
     _compare("advance with colours", dyed.sand, plain.sand, world.shape, iterations)
-    if dyed.grains_by_colour != coloured.grains_by_colour:
+    if dyed.amounts != coloured.amounts:
         raise WrongCellsError("advance made or lost grains of a colour: nothing was timed")
     return iterations
 

@@ -18,6 +18,7 @@ from game.study.exact.topple_fields import (
 )
 from game.study.report import report
 from game.world.sand.ensemble import states_at
+from game.world.sand.world import World
 
 SEED = 20
 LATERS = 1, 2, 4, 2**32, 2**63  # iterations between two draws at the same place
@@ -66,7 +67,7 @@ def _replica_bits(runs):
     blocks = 15
     sand = np.zeros((2, 2 * blocks), bool)
     sand[:, 0::2] = True
-    states = states_at(sand, np.zeros_like(sand), Rule.with_p(0.5), [1], runs, SEED)[0]
+    states = states_at(World.from_cells(sand, np.zeros_like(sand), SEED), Rule.with_p(0.5), [1], runs)[0]
     lands = np.arange(2 * blocks + 1, 4 * blocks, 2, dtype=np.uint64)  # bits of the cells the grains topple to
     here = (states[:, None] >> lands) & np.uint64(1) == 1
     yield _row("ensemble, runs side by side", here[1:], here[:-1])

@@ -86,6 +86,6 @@ def count_toppled_replicas(p, runs, attempts, seed):
     sand = np.zeros((2, 2 * REPLICA_POSTS), bool)
     sand[:, 0::2] = True
     rule = Rule.with_p(p, "margolus")
-    counts = counts_at(sand, np.zeros_like(sand), rule, [len(rule.offsets) * attempts], runs, seed)
+    counts = counts_at(World.from_cells(sand, np.zeros_like(sand), seed), rule, [len(rule.offsets) * attempts], runs)
     candidates = runs * REPLICA_POSTS
     return int(counts[0, 1, 1::2].sum()), -candidates * expm1(attempts * log1p(-p)), attempts * candidates

@@ -13,6 +13,7 @@ from game.study.exact.lattices import LATTICES
 from game.study.exact.markov_chain import SCHEDULES, explore
 from game.study.exact.tiled_worlds import sand_and_walls, stacked_states, tiled_states
 from game.world.sand.ensemble import states_at
+from game.world.sand.world import World
 
 PROBABILITIES = {  # topple_left, topple_right and the five falls
     "p = 0.25": (0.25,) * 2 + (1.0,) * 5,
@@ -29,7 +30,7 @@ LAST = 40  # iterations within which a moment is chosen
 
 
 def _replica_states(rows, rule, iterations, runs, seed):
-    return states_at(*sand_and_walls(rows), rule, [iterations], runs, seed)[0]
+    return states_at(World.from_cells(*sand_and_walls(rows), seed), rule, [iterations], runs)[0]
 
 
 @dataclass(frozen=True)

@@ -83,7 +83,7 @@ def _maps(study, scene):
 
 
 def _density(scene, p, seed):
-    return density(scene.sand, scene.walls, Rule.with_p(p), MOMENT, RUNS // BATCHES, seed=(SEED << 32) + seed)
+    return density(scene.world((SEED << 32) + seed), Rule.with_p(p), MOMENT, RUNS // BATCHES)
 
 
 def _shape_rows(shapes):

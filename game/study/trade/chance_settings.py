@@ -9,6 +9,7 @@ from game.study.trade.cheap_random import FRESH, SOURCES, run_cheaply
 from game.study.trade.points import floor_of, point
 from game.world.sand.ensemble import density
 from game.world.sand.parameters import RUNS
+from game.world.sand.world import World
 
 P = 0.7  # no short binary fraction
 MOMENT = 200  # iterations, as in the paper's density maps
@@ -32,7 +33,7 @@ class Reference:
 
     def density(self, p, runs, seed):
         """Return the density map at probability p."""
-        return density(self.sand, self.walls, Rule.with_p(p, "balanced"), MOMENT, runs, seed)
+        return density(World.from_cells(self.sand, self.walls, seed), Rule.with_p(p, "balanced"), MOMENT, runs)
 
     def floor(self, runs):
         """Return the statistical floor of a map of so many runs held against the reference."""

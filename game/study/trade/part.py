@@ -25,6 +25,7 @@ from game.study.trade.chance_settings import (
     source_points,
 )
 from game.world.sand.ensemble import counts_at
+from game.world.sand.world import World
 
 TITLE = "3. Speed against error"
 # Standard deviation, over 100 seeds, of an rms that is chance alone, in floors: the few uncertain cells hang together.
@@ -139,7 +140,7 @@ def _batches():
 def _exact_count():
     """Return the row on how many runs of a world that stands still the forecast does not count."""
     sand = np.ones((1, 2), bool)
-    counts = counts_at(sand, np.zeros_like(sand), Rule.with_p(0.5), [1], MANY_RUNS)
+    counts = counts_at(World.from_cells(sand, np.zeros_like(sand)), Rule.with_p(0.5), [1], MANY_RUNS)
     missed = MANY_RUNS - int(counts.min())
     return report.same(f"runs that the exact count misses of {MANY_RUNS:,}", missed, 0, "int64")
 

@@ -11,6 +11,7 @@ from game.core.draw.heatmap import heat_levels
 from game.world.rules.rule import Rule
 from game.world.sand.crop import Crop
 from game.world.sand.ensemble import Cancelled, certain, growing_counts
+from game.world.sand.material_codes import SAND_NAME
 
 PATIENCE_S = 0.15  # a forecast of a past moment is not refined for longer than this: so five fit into a second
 LONG_S = 1.0  # a request that is no longer asked is dropped after this, even if nothing has been said to it
@@ -18,14 +19,13 @@ LONG_S = 1.0  # a request that is no longer asked is dropped after this, even if
 
 @dataclass(frozen=True, eq=False)
 class ForecastRequest:
-    """What is asked: where the sand of a Crop will be."""
+    """What is asked: where a material of a Crop will be."""
 
     crop: Crop
     rule: Rule
     ahead: int  # iterations
-    start: int  # the world's iteration at the crop
-    seed: int
     runs: int  # at most
+    of: str = SAND_NAME  # the material
     about: object = None  # what the asker knows it again by
 
 
@@ -111,22 +111,12 @@ class ForecastThread:
         def dropped():
             return self._closed or (self._hurry and (told or time.monotonic() - begin > LONG_S))
 
-        sand, walls = request.crop.cells
-        growing = self._count(
-            sand,
-            walls,
-            request.rule,
-            request.ahead,
-            request.runs,
-            request.seed,
-            request.start,
-            cancelled=dropped,
-            fixtures=request.crop.fixtures,
-        )
+        world = request.crop.world()
+        growing = self._count(world, request.rule, request.ahead, request.runs, request.of, cancelled=dropped)
         for runs, counts in growing:
             late = time.monotonic() - begin > PATIENCE_S
             if hurries or late or runs == request.runs:
-                self.answer, told = forecast_of(request, walls, counts, runs), True
+                self.answer, told = forecast_of(request, world.walls, counts, runs), True
             if dropped() or (late and self._asked):
                 return
 

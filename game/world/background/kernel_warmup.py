@@ -16,6 +16,7 @@ from game.world.sand.advance import advance
 from game.world.sand.crop import Crop, CropBox
 from game.world.sand.ensemble import growing_counts
 from game.world.sand.fixtures import DRAIN, TAP, Fixture
+from game.world.sand.material_codes import SAND_CODES
 from game.world.sand.measure import pile_heights
 from game.world.sand.world import World
 from game.world.sessions.action import Draw, Fill, Paint, Turn, apply
@@ -68,7 +69,7 @@ def later_steps(rule):
         ("the forecast", _forecast),
         ("the measures", lambda: pile_heights(_dot())),
         ("the names of worlds", lambda: World.from_cells(*np.zeros((2, 66, 2), bool)).digest()),  # of two bands
-        ("the books of colours", lambda: _dot(coloured=True).grains_by_colour),
+        ("the books of colours", lambda: _dot(coloured=True).amounts),
         *((f"{what} of colours", act) for what, act in moving_steps(rule, coloured=True)),
         ("the brush of colours", lambda: _brush(coloured=True)),
         ("figures of colours", lambda: _figures(coloured=True)),
@@ -91,9 +92,9 @@ def _dot(coloured=False):
 def _bare():
     """Return a world of 8×8 empty cells, made without compiling the layout."""
     where = planes.layout(8, 8)
-    bits = planes.empty(where)
+    bits = planes.empty(where, planes.PLANES)
     bits[:] = 0
-    return World(bits, where, 0, 0)
+    return World(bits, where, SAND_CODES, 0, 0)
 
 
 def _draw(walls, cell):
@@ -136,8 +137,8 @@ def _eraser():
 def _forecast():
     world, rule = _dot(), Rule.with_p(0.5)
     crop, places = Crop(world, CropBox(0, 0, 2, 2)), np.arange(2, dtype=np.int32)
-    for runs, counts in growing_counts(*crop.cells, rule, 1, runs=1):
-        answer = forecast_of(ForecastRequest(crop, rule, 1, 0, 0, 1), world.walls, counts, runs)
+    for runs, counts in growing_counts(crop.world(), rule, 1, runs=1):
+        answer = forecast_of(ForecastRequest(crop, rule, 1, 1), world.walls, counts, runs)
     mean_levels(answer.levels, places, places, np.zeros((1, 1), np.uint8))
     lay_heat(answer.levels, covers_of(*cover(rgb)), places, places, np.zeros((2, 2), np.uint32), 0, 0)
 

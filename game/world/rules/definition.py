@@ -15,6 +15,7 @@ from game.world.rules.events import OwnNumber, Signs, read_event
 from game.world.rules.laws import check
 from game.world.rules.materials import CHANCE, read_groups, read_materials
 from game.world.rules.rule_text import RuleError, RuleText
+from game.world.sand.material_codes import MaterialCodes
 from game.world.sand.parameters import Knob
 from game.world.sand.schedules import SCHEDULES
 
@@ -25,10 +26,12 @@ MOST_INCLUDES = 4
 LAYERS = ("motion",)  # of a file that names none
 
 _KEYS = ("title", "notice", "schedule", "layers", "include", "materials", "any", "chances", "conserve", "event")
+_INCLUDED = ("layers", "any", "chances", "event")  # keys of a file that is included
 _known = WeakValueDictionary()  # (name, texts): a definition in use, so that a file read again is not compiled again
 RESERVED = (  # names that no chance can have, as a rule has them
-    *("as_dict", "bias", "chances", "definition", "leaning", "materials", "offsets", "outcomes", "p", "probabilities"),
-    *("rule", "schedule", "table", "values", "with_chances", "with_p", "with_schedule"),
+    *("as_dict", "bias", "chances", "codes", "definition", "digest", "leaning", "materials", "name", "offsets"),
+    *("outcomes", "p", "probabilities", "rule", "schedule", "table", "texts", "values", "with_chances", "with_p"),
+    "with_schedule",
 )
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,23}")
 
@@ -69,6 +72,18 @@ class Definition:
         return slots_of(self)
 
     @property
+    def kept(self):
+        """The codes of each book that no event may change."""
+        return tuple(tuple(sorted(book.codes)) for book in self.books if not book.but)
+
+    @cached_property
+    def codes(self):
+        """The MaterialCodes of worlds of these materials."""
+        names = tuple(each.name for each in self.materials)
+        forms = tuple(each.form_of or each.name for each in self.materials)
+        return MaterialCodes(names, () if forms == names else forms)
+
+    @property
     def usual_values(self):
         """The probability of each slot of the table, as the file gives it."""
         return (*(each.default for each in self.chances), *self.slots.numbers)
@@ -100,6 +115,25 @@ def load_definition(name_or_path):
     return _shipped(path) if path.parent == asset("rules") else _read(path)
 
 
+def is_shipped(definition):
+    """Return whether a definition is that of the shipped rule of its name."""
+    return definition.name in rule_names() and definition == load_definition(definition.name)
+
+
+def definition_of_texts(name, texts):
+    """Return the Definition that the texts of a rule file and of those that it includes make.
+
+    Raises RuleError for whatever is wrong in them.
+    """
+    own, *others = (RuleText(Path(f"{name}.toml"), text) for text in texts)
+    own.root.allow(_KEYS)
+    if len(own.root.names("include", MOST_INCLUDES)) != len(others):
+        raise own.root.error("include", f"{len(others)} texts", "one for each name")
+    for each in others:
+        each.root.allow(_INCLUDED)
+    return _known_or_made(name, [own, *others])
+
+
 def _path(name_or_path):
     text = os.fspath(name_or_path)
     if isinstance(name_or_path, os.PathLike) or text.endswith(".toml") or any(sign in text for sign in "/\\"):
@@ -120,8 +154,11 @@ def _read(path):
     own = RuleText(path)
     own.root.allow(_KEYS)
     included = [_included(own, name) for name in own.root.names("include", MOST_INCLUDES)]
-    texts = [own, *included]
-    key = path.stem, tuple(each.text for each in texts)
+    return _known_or_made(path.stem, [own, *included])
+
+
+def _known_or_made(name, texts):
+    key = name, tuple(each.text for each in texts)
     definition = _known.get(key)
     if definition is None:
         definition = _defined(*key, texts)
@@ -160,7 +197,7 @@ def _included(own, name):
     if path is None:
         raise own.root.error("include", shown(name), f"a file {name}.toml beside it, or a shipped one")
     text = RuleText(path)
-    text.root.allow(("layers", "any", "chances", "event"))
+    text.root.allow(_INCLUDED)
     return text
 
 

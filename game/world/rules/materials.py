@@ -14,7 +14,7 @@ EVERYTHING = "everything"
 DENSITY = Knob("density", 0, -1000, 1000, "", "what is denser sinks")
 CHANCE = Knob("chance", 1.0, 0.0, 1.0, "", "how likely it is")
 
-_NAME = re.compile(r"[a-z][a-z0-9 -]{0,23}")
+NAME = re.compile(r"[a-z][a-z0-9 -]{0,23}")
 _LETTER = re.compile(r"[^\sA-Z?|>\-]")
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}")
 _KEYS = ("letter", "class", "density", "colour", "form_of")
@@ -62,7 +62,7 @@ def read_materials(section, chances):
 
 
 def _read(section, name, chances):
-    if not _NAME.fullmatch(name) or name in CLASSES or name == EVERYTHING:
+    if not NAME.fullmatch(name) or name in CLASSES or name == EVERYTHING:
         raise section.error(name, "that name", "a small letter, then small letters, digits, spaces or - (no class)")
     values = section.table(name).values
 

@@ -10,9 +10,9 @@ from game.world.rules.definition import Definition, load_definition
 from game.world.rules.laws import check_sums
 from game.world.rules.rule_text import RuleError
 from game.world.sand import parameters
+from game.world.sand.material_codes import SAND_CODES
 from game.world.sand.schedules import SCHEDULES
 
-MATERIALS = "air", "sand", "wall"
 CHANCES = (
     *("topple_left", "topple_right", "fall_pair"),
     *("fall_low_left", "fall_low_right", "fall_full_left", "fall_full_right"),
@@ -22,7 +22,7 @@ CHANCES = (
 def _load_sand():
     """Return the sand's definition; raise RuleError where its file lacks what worlds, scenes and sliders ask for."""
     sand = load_definition("sand")
-    for key, found, wanted in (("materials", sand.materials, MATERIALS), ("chances", sand.chances, CHANCES)):
+    for key, found, wanted in (("materials", sand.materials, SAND_CODES.names), ("chances", sand.chances, CHANCES)):
         names = tuple(each.name for each in found)
         if names != wanted:
             raise RuleError(asset("rules", "sand.toml"), 0, key, ", ".join(names) or "none", ", ".join(wanted))
@@ -98,7 +98,12 @@ class Rule:
     @property
     def materials(self):
         """The names of the materials by code; air is 0."""
-        return tuple(each.name for each in self.definition.materials)
+        return self.codes.names
+
+    @property
+    def codes(self):
+        """The MaterialCodes of the worlds that it moves."""
+        return self.definition.codes
 
     @property
     def chances(self):

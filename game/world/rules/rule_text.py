@@ -40,10 +40,11 @@ class RuleSection(CheckedTable):
 class RuleText:
     """A rule file, read: `root` is the RuleSection of its top-level keys."""
 
-    def __init__(self, path):
+    def __init__(self, path, text=None):
+        """`text`: what the file says, if it is not read from there."""
         self.path = path
         try:
-            self.text = read_text(path, LARGEST_FILE)
+            self.text = read_text(path, LARGEST_FILE) if text is None else text
             values = parsed(path, self.text).values
         except TableError as error:
             line = re.match(r"line (\d+)", error.told[0])

@@ -10,7 +10,7 @@ from game.core.step import advance_planes
 from game.world.sand import fixtures, parameters
 from game.world.sand.fixtures import Traffic
 from game.world.sand.grain_account import NO_GRAINS, added
-from game.world.sand.sand_codes import check_held
+from game.world.sand.material_codes import check_held
 
 NO_TRAFFIC = Traffic(NO_GRAINS, NO_GRAINS)
 
@@ -21,9 +21,9 @@ def advance(world, rule, iterations):
     """Run `iterations` iterations of `rule` on `world`, in place; return the Traffic through the world's fixtures.
 
     The result does not depend on how the iterations are split into calls. Raises ValueError unless `iterations` is a
-    whole number in [0, 2**62] and the rule is of air, sand and wall.
+    whole number in [0, 2**62] and the rule is of the materials that the world holds.
     """
-    check_held(rule)
+    check_held(rule, world)
     iterations = parameters.ITERATIONS.check(iterations)
     if not world.fixtures:
         _run(world, rule, iterations)

@@ -1,28 +1,23 @@
-"""What can happen in each block in the coming iteration, by plain numpy over a part of the lattice."""
+"""What can happen in each block in the coming iteration, by the rule's own table, over a part of the lattice."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
+from game.core.rule_table import corners, state_of
 from game.world.sand.crop import Crop
 
-# Grains that move together, each from one corner of the block to another: (row, column) of both.
-FALL_LEFT, FALL_RIGHT, FALL_PAIR, TOPPLE_RIGHT, TOPPLE_LEFT = range(5)
-MOVES = (
-    (((0, 0), (1, 0)),),
-    (((0, 1), (1, 1)),),
-    (((0, 0), (1, 0)), ((0, 1), (1, 1))),
-    (((0, 0), (1, 1)),),
-    (((0, 1), (1, 0)),),
-)
+CORNERS = ((0, 0), (0, 1), (1, 0), (1, 1))  # (row, column) of a, b, c and d in a block
 
 
 class BlockEvents(NamedTuple):
-    """What can happen in some blocks: one entry of each array a block."""
+    """What can happen in some blocks: one entry of each array an outcome."""
 
     rows: np.ndarray  # int64, the lattice row of the block's upper left corner, -1 if that is outside
     columns: np.ndarray
-    moves: np.ndarray  # int64, places in MOVES
+    before: np.ndarray  # int64, the state of the block, see `core.rule_table`
+    after: np.ndarray
     chances: np.ndarray  # float64, 0 < p ≤ 1
 
     def only(self, which):
@@ -39,44 +34,53 @@ def coming_events(world, rule, box):
     """Return the BlockEvents of the coming iteration in the blocks that a CropBox touches."""
     box = box.grown(2, world.shape)
     x, y = offset(world, rule)
-    sand, walls = Crop(world, box).cells
     bottom, right = box.top + box.height, box.left + box.width
     above, left = 2 * (box.top == 0), 2 * (box.left == 0)
     outside = (above, bottom == world.shape[0]), (left, right == world.shape[1])
-    sand, walls = np.pad(sand, outside), np.pad(walls, outside, constant_values=True)
-    top, first = box.top - above + y, box.left - left + x
-    a, b, _, _ = _corners(sand, x, y)
-    oa, ob, oc, od = _corners(sand | walls, x, y)
-    left, right = a & ~oc, b & ~od
-    right_topple, left_topple = a & oc & ~ob & ~od, b & od & ~oa & ~oc
-    moves = np.select([left & right, left, right, right_topple], [FALL_PAIR, FALL_LEFT, FALL_RIGHT, TOPPLE_RIGHT], -1)
-    moves[left_topple] = TOPPLE_LEFT
-    kinds = [  # of two that are true the first one counts
-        ((left & ~ob & ~od) | (right & ~oa & ~oc), 1.0),
-        ((left & ob & ~od) | (right & oa & ~oc), rule.fall_pair),
-        (left & ~ob, rule.fall_low_left),
-        (right & ~oa, rule.fall_low_right),
-        (left, rule.fall_full_left),
-        (right, rule.fall_full_right),
-        (right_topple, rule.topple_right),
-        (left_topple, rule.topple_left),
+    cells = np.pad(Crop(world, box).cells, outside, constant_values=world.codes.wall)[y:, x:]
+    cells = cells[: len(cells) // 2 * 2, : cells.shape[1] // 2 * 2].astype(np.int64)
+    states = state_of((cells[::2, ::2], cells[::2, 1::2], cells[1::2, ::2], cells[1::2, 1::2]), world.layout.bits)
+    found = [
+        (row, column, state, after, p)
+        for state in np.unique(states).tolist()
+        for p, after in _outcomes(rule, state)
+        for row, column in np.argwhere(states == state).tolist()
     ]
-    chances = np.select(*zip(*kinds, strict=True))
-    rows, columns = np.nonzero((moves >= 0) & (chances > 0))
-    found = rows, columns
-    return BlockEvents(top + 2 * rows, first + 2 * columns, moves[found], chances[found])
+    rows, columns, before, after, chances = np.array(sorted(found), float).reshape(-1, 5).T
+    top, first = box.top - above + y, box.left - left + x
+    whole = (each.astype(np.int64) for each in (top + 2 * rows, first + 2 * columns, before, after))
+    return BlockEvents(*whole, chances)
+
+
+@lru_cache(maxsize=2**12)
+def _outcomes(rule, state):
+    """Return [(probability, state after)] of a block; none for one that holds a code of no material."""
+    codes = corners(state, rule.table.bits)
+    if max(codes) >= len(rule.materials):
+        return []
+    return [(p, state_of(after, rule.table.bits)) for p, after in rule.outcomes(codes)]
+
+
+@lru_cache(maxsize=2**12)
+def moves_between(before, after, bits):
+    """Return what moves between two states of a block: a tuple of (corner, corner), each (row, column).
+
+    Of a corner that takes what was nowhere else in the block both are the same: there it changed.
+    """
+    old, new, found = corners(before, bits), corners(after, bits), []
+    for corner in range(4):
+        if new[corner] in (0, old[corner]):
+            continue
+        sources = [other for other in range(4) if old[other] == new[corner] != new[other]]
+        sources.sort(key=lambda other: (corner ^ other != 2, corner ^ other != 3))  # from above, then across
+        found.append((CORNERS[sources[0] if sources else corner], CORNERS[corner]))
+    return tuple(found)
 
 
 def happened(events, world, box):
     """Return which of the events, told before the last iteration for a CropBox, have come about: a bool array."""
     box = box.grown(2, world.shape)
-    sand, _ = Crop(world, box).cells
-    first = np.array([move[0][0] for move in MOVES])[events.moves]
-    return ~sand[events.rows - box.top + first[:, 0], events.columns - box.left + first[:, 1]]
-
-
-def _corners(cells, x, y):
-    """Return the corners a b c d of all whole blocks from (x, y) on."""
-    height, width = (cells.shape[0] - y) // 2 * 2, (cells.shape[1] - x) // 2 * 2
-    cells = cells[y : y + height, x : x + width]
-    return cells[::2, ::2], cells[::2, 1::2], cells[1::2, ::2], cells[1::2, 1::2]
+    cells = np.pad(Crop(world, box).cells, 2, constant_values=world.codes.wall).astype(np.int64)
+    rows, columns = events.rows - box.top + 2, events.columns - box.left + 2
+    here = state_of([cells[rows + row, columns + column] for row, column in CORNERS], world.layout.bits)
+    return here == events.after

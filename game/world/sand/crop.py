@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.core import planes as bit_planes
+from game.world.sand.world import World
 
 
 class CropBox(NamedTuple):
@@ -60,13 +61,19 @@ class Crop:
         where, row = world.layout, box.top // 2
         words = slice(row * where.stride, (row + -(-box.height // 2)) * where.stride)
         self.box = box
-        self.fixtures = tuple(each.moved(-box.left, -box.top) for each in world.fixtures)
-        self._planes = world.planes[: bit_planes.PLANES, words].copy()
+        self._fixtures = tuple(each.moved(-box.left, -box.top) for each in world.fixtures)
+        self._codes, self._planes = world.codes, world.planes[: 4 * where.bits, words].copy()
+        self.iteration, self._seed = world.iteration, world.seed
         self._band = where._replace(height=box.height)
 
     @property
     def cells(self):
-        """Where sand and where walls are: two new (height, width) bool arrays."""
+        """The codes of the cells: a new (height, width) uint8 array."""
         columns = slice(self.box.left, self.box.left + self.box.width)
-        both = (bit_planes.unpack(self._planes, self._band, first) for first in (bit_planes.SAND, bit_planes.WALLS))
-        return tuple(np.ascontiguousarray(cells[:, columns]) for cells in both)
+        return np.ascontiguousarray(bit_planes.unpack(self._planes, self._band)[:, columns])
+
+    def world(self):
+        """Return a World of the cells, with the fixtures, the seed and the iteration of the one that they are of."""
+        world = World.of_codes(self.cells, self._codes, self._seed)
+        world.iteration, world.fixtures = self.iteration, self._fixtures
+        return world

@@ -13,9 +13,8 @@ from game.core.chance import CERTAIN, threshold
 from game.core.compiler.rule_pass import pass_of
 from game.core.ensemble.runs import BITS, advance_replicas, count_replicas, read_states, replicate
 from game.world.sand import parameters
-from game.world.sand.fixtures import act_on_replicas, pause
-from game.world.sand.sand_codes import SAND, WALL, check_held
-from game.world.sand.world import check_cells
+from game.world.sand.fixtures import act_on_replicas, changed_bits, pause
+from game.world.sand.material_codes import SAND_NAME, check_held
 
 MOST_WORDS = 64  # words of a bit of a cell in a group at most; more is no faster
 GROUP_WORDS = (
@@ -36,13 +35,11 @@ class Cancelled(Exception):  # noqa: N818 (not an error: the caller asked for it
 class Ensemble(NamedTuple):
     """What all runs have in common."""
 
-    sand: np.ndarray  # (H, W) bool
-    walls: np.ndarray  # (H, W) bool
+    world: object  # where they start: a World, which is not changed
+    cells: np.ndarray  # its codes, (H, W) uint8
+    counted: tuple  # the codes that are counted
     rule: object  # a Rule
     runs: int
-    seed: int
-    start: int  # number of the first iteration: it picks the partition
-    fixtures: tuple = ()  # of Fixture, the same in all runs
 
     @property
     def weight(self):
@@ -55,67 +52,72 @@ def certain(rule):
     return not rule.table.has_fair_bit and all(threshold(p) in (0, CERTAIN) for p in rule.values)
 
 
-def density(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None, fixtures=()):
-    """Return the fraction of `runs` independent runs that have sand in each cell after `iterations`: (H, W) float64.
+def density(world, rule, iterations, runs=_RUNS, of=SAND_NAME, progress=None, cancelled=None):
+    """Return the fraction of `runs` independent runs that have a material in each cell after `iterations`.
 
-    sand, walls: (H, W) bool, as `World.from_cells` takes them. start: the iteration the runs start at, as in
-    `world.iteration`. progress(done_runs), if given, is called with the work done so far, in runs, up to `runs`.
-    cancelled(), if given, is asked every few milliseconds; once it returns true, Cancelled is raised. fixtures: as in
-    `world.fixtures`, they act in every run. Raises ValueError for bad cells, for a rule of other materials than
-    air, sand and wall, for `runs` outside [1, 10**9] and for other numbers out of range.
+    It is (H, W) float64. Each run starts as `world` is, which is not changed: with its iteration and its fixtures, and
+    by its seed. of: the name of the material. progress(done_runs), if given, is called with the work done so far, in
+    runs, up to `runs`. cancelled(), if given, is asked every few milliseconds; once it returns true, Cancelled is
+    raised. Raises ValueError for a rule of other materials than the world's, for an unknown material, for `runs`
+    outside [1, 10**9] and for other numbers out of range.
     """
-    counts = counts_at(sand, walls, rule, [iterations], runs, seed, start, progress, cancelled, fixtures)
-    return counts[0] / runs
+    return counts_at(world, rule, [iterations], runs, of, progress, cancelled)[0] / runs
 
 
-def counts_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None, fixtures=()):
-    """Return how many runs have sand in each cell at each moment: (moments, H, W) int64, exact.
+def counts_at(world, rule, moments, runs=_RUNS, of=SAND_NAME, progress=None, cancelled=None):
+    """Return how many runs have a material in each cell at each moment: (moments, H, W) int64, exact.
 
     moments: iterations since the start, in rising order. The rest is as for `density`.
     """
-    ensemble, moments = _checked(sand, walls, rule, runs, seed, start, fixtures), _checked_moments(moments)
-    counts = np.zeros((len(moments), *ensemble.sand.shape), np.int64)
+    ensemble, moments = _checked(world, rule, runs, of), _checked_moments(moments)
+    counts = np.zeros((len(moments), *world.shape), np.int64)
     for moment, _, group in _follow(ensemble, moments, progress, cancelled):
-        count_replicas(group, SAND, ensemble.weight, counts[moment])
+        _count(group, ensemble, counts[moment])
     return counts
 
 
-def growing_counts(sand, walls, rule, iterations, runs=_RUNS, seed=0, start=0, cancelled=None, fixtures=()):
-    """Yield (runs so far, how many of them have sand in each cell) after more and more runs, up to `runs`.
+def growing_counts(world, rule, iterations, runs=_RUNS, of=SAND_NAME, cancelled=None):
+    """Yield (runs so far, how many of them have a material in each cell) after more and more runs, up to `runs`.
 
     The counts are one (H, W) int64 array, added to in place: each time what `counts_at` gives for so many runs. The
     rest is as for `density`.
     """
-    ensemble, moments = _checked(sand, walls, rule, runs, seed, start, fixtures), _checked_moments([iterations])
-    counts = np.zeros(ensemble.sand.shape, np.int64)
+    ensemble, moments = _checked(world, rule, runs, of), _checked_moments([iterations])
+    counts = np.zeros(world.shape, np.int64)
     for _, first, group in _follow(ensemble, moments, cancelled=cancelled, few=FEW_WORDS):
-        count_replicas(group, SAND, ensemble.weight, counts)
+        _count(group, ensemble, counts)
         yield min(ensemble.runs, ensemble.weight * (first + len(group.seeds) * BITS)), counts
 
 
-def states_at(sand, walls, rule, moments, runs=_RUNS, seed=0, start=0, progress=None, cancelled=None):
-    """Return the state of each run at each moment: (moments, runs) uint64, where bit y·W + x is sand in cell (y, x).
+def states_at(world, rule, moments, runs=_RUNS, of=SAND_NAME, progress=None, cancelled=None):
+    """Return the state of each run at each moment: (moments, runs) uint64; bit y·W + x is a material in cell (y, x).
 
-    The lattice has 64 cells at most, else ValueError is raised. The rest is as for `counts_at`.
+    The lattice has 64 cells at most, else ValueError is raised, and the material one code. The rest is as for
+    `counts_at`.
     """
-    ensemble, moments = _checked(sand, walls, rule, runs, seed, start), _checked_moments(moments)
-    if ensemble.sand.size > STATE_CELLS:
-        raise ValueError(f"states are of lattices of {STATE_CELLS} cells at most, got {ensemble.sand.size}")
+    ensemble, moments = _checked(world, rule, runs, of), _checked_moments(moments)
+    if ensemble.cells.size > STATE_CELLS:
+        raise ValueError(f"states are of lattices of {STATE_CELLS} cells at most, got {ensemble.cells.size}")
+    (code,) = ensemble.counted
     states = np.empty((len(moments), ensemble.runs), np.uint64)
     for moment, first, group in _follow(ensemble, moments, progress, cancelled):
         if ensemble.weight > 1:
-            read_states(group, SAND, states[moment, :1])
+            read_states(group, code, states[moment, :1])
             states[moment] = states[moment, 0]
         else:
-            read_states(group, SAND, states[moment, first : first + len(group.seeds) * BITS])
+            read_states(group, code, states[moment, first : first + len(group.seeds) * BITS])
     return states
 
 
-def _checked(sand, walls, rule, runs, seed, start, fixtures=()):
-    check_held(rule)
-    sand, walls = check_cells(sand, walls)
-    runs, seed, start = parameters.RUNS.check(runs), parameters.SEED.check(seed), parameters.START.check(start)
-    return Ensemble(sand, walls, rule, runs, seed, start, tuple(fixtures))
+def _count(group, ensemble, counts):
+    for code in ensemble.counted:
+        count_replicas(group, code, ensemble.weight, counts)
+
+
+def _checked(world, rule, runs, of):
+    check_held(rule, world)
+    counted = tuple(sorted(world.codes.codes_of(of)))
+    return Ensemble(world, world.materials, counted, rule, parameters.RUNS.check(runs))
 
 
 def _checked_moments(moments):
@@ -129,7 +131,7 @@ def _checked_moments(moments):
 def _groups(ensemble, few):
     """Yield (number of the first run, runs) of each group; with `few` words to begin with, and then ever more."""
     replicas = ensemble.runs // ensemble.weight
-    most = max(1, min(MOST_WORDS, GROUP_WORDS // ensemble.sand.size))
+    most = max(1, min(MOST_WORDS, GROUP_WORDS // ensemble.cells.size))
     first, words = 0, min(few, most)
     while first < replicas:
         here = min(BITS * words, replicas - first)
@@ -140,8 +142,9 @@ def _groups(ensemble, few):
 
 def _group(ensemble, first, runs):
     """Return the Replicas of so many runs from number `first` on."""
-    codes = ensemble.sand * np.uint8(SAND) + ensemble.walls * np.uint8(WALL)
-    return replicate(codes, _pass_for(ensemble.rule, -(-runs // BITS)), ensemble.seed, first, runs)
+    world, moving = ensemble.world, _pass_for(ensemble.rule, -(-runs // BITS))
+    more_bits = changed_bits(world.fixtures, world.codes)
+    return replicate(ensemble.cells, moving, world.seed, first, runs, more_bits)
 
 
 def _follow(ensemble, moments, progress=None, cancelled=None, few=MOST_WORDS):
@@ -164,10 +167,11 @@ def _stretches(group, ensemble, now, moment, cancelled):
     """Run a group to iteration `moment` in place, its fixtures acting; yield how many are done."""
     while now < moment:
         end = moment
-        if ensemble.fixtures:
-            begin = ensemble.start + now
-            act_on_replicas(ensemble.fixtures, begin, group)
-            end = min(end, now + pause(ensemble.fixtures, begin))
+        world = ensemble.world
+        if world.fixtures:
+            begin = world.iteration + now
+            act_on_replicas(world.fixtures, world.codes, begin, group)
+            end = min(end, now + pause(world.fixtures, begin))
         for done in _bites(group, ensemble, now, end - now, cancelled):
             yield now + done
         now = end
@@ -175,7 +179,7 @@ def _stretches(group, ensemble, now, moment, cancelled):
 
 def _bites(group, ensemble, now, iterations, cancelled):
     """Run iterations `now`, now + 1 … of a group in place, a bite at a time; yield how many are done."""
-    begin = ensemble.start + now
+    begin = ensemble.world.iteration + now
     offsets = np.array(ensemble.rule.offsets, np.int64)
     offsets = np.roll(offsets, -(begin % len(offsets)), axis=0)
     moving = _pass_for(ensemble.rule, len(group.seeds))

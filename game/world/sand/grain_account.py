@@ -1,17 +1,18 @@
 """The account of a world's grains: those at the start, plus painted and poured, less erased and swallowed.
 
-It is kept for each colour. A grain painted over with another colour counts as erased and as painted.
+It is kept for each kind of `World.amounts`: for each colour of sand, or for each material. A grain painted over with
+another kind counts as erased and as painted. A rule may make one material of another, but leaves sums alone: its books.
 """
 
 from dataclasses import dataclass, replace
-from operator import add
+from itertools import zip_longest
 
-NO_GRAINS = (0,) * 8  # a tally: numbers of grains of each colour
+NO_GRAINS = ()  # a tally: numbers of grains of each kind, 0 for those that are left out
 
 
 def added(one, other):
     """Return the sum of two tallies."""
-    return tuple(map(add, one, other))
+    return tuple(mine + its for mine, its in zip_longest(one, other, fillvalue=0))
 
 
 def split(change):
@@ -21,50 +22,51 @@ def split(change):
 
 @dataclass(frozen=True)
 class GrainAccount:
-    """What happened to a world's grains since it was loaded: tallies by colour, and their sums as plain numbers."""
+    """What happened to a world's grains since it was loaded: tallies by kind, and their sums as plain numbers."""
 
-    start_by_colour: tuple
-    painted_by_colour: tuple = NO_GRAINS
-    erased_by_colour: tuple = NO_GRAINS
-    poured_by_colour: tuple = NO_GRAINS  # by taps
-    swallowed_by_colour: tuple = NO_GRAINS  # by drains
+    start_by_kind: tuple
+    kept: tuple  # of tuples of kinds: each of these together are neither made nor lost by the rule
+    painted_by_kind: tuple = NO_GRAINS
+    erased_by_kind: tuple = NO_GRAINS
+    poured_by_kind: tuple = NO_GRAINS  # by taps
+    swallowed_by_kind: tuple = NO_GRAINS  # by drains
 
     @property
     def start(self):
         """How many grains there were."""
-        return sum(self.start_by_colour)
+        return sum(self.start_by_kind)
 
     @property
     def painted(self):
         """How many grains were painted."""
-        return sum(self.painted_by_colour)
+        return sum(self.painted_by_kind)
 
     @property
     def erased(self):
         """How many grains were erased."""
-        return sum(self.erased_by_colour)
+        return sum(self.erased_by_kind)
 
     @property
     def poured(self):
         """How many grains taps have poured."""
-        return sum(self.poured_by_colour)
+        return sum(self.poured_by_kind)
 
     @property
     def swallowed(self):
         """How many grains drains have swallowed."""
-        return sum(self.swallowed_by_colour)
+        return sum(self.swallowed_by_kind)
 
     @property
     def expected(self):
         """How many grains there must be now."""
-        return sum(self.expected_by_colour)
+        return sum(self.expected_by_kind)
 
     @property
-    def expected_by_colour(self):
-        """How many grains of each colour there must be now."""
-        came = added(added(self.start_by_colour, self.painted_by_colour), self.poured_by_colour)
-        gone = added(self.erased_by_colour, self.swallowed_by_colour)
-        return tuple(have - lost for have, lost in zip(came, gone, strict=True))
+    def expected_by_kind(self):
+        """How many grains of each kind there must be now, but for what the rule makes of them."""
+        came = added(added(self.start_by_kind, self.painted_by_kind), self.poured_by_kind)
+        gone = added(self.erased_by_kind, self.swallowed_by_kind)
+        return added(came, (-lost for lost in gone))
 
     @property
     def lines(self):
@@ -76,39 +78,44 @@ class GrainAccount:
 
     @property
     def rows(self):
-        """The account of each colour that ever was: [(its number, start, painted, erased, poured, swallowed, now)]."""
+        """The account of each kind that ever was: [(its number, start, painted, erased, poured, swallowed, now)]."""
         columns = (
-            self.start_by_colour,
-            self.painted_by_colour,
-            self.erased_by_colour,
-            self.poured_by_colour,
-            self.swallowed_by_colour,
-            self.expected_by_colour,
+            self.start_by_kind,
+            self.painted_by_kind,
+            self.erased_by_kind,
+            self.poured_by_kind,
+            self.swallowed_by_kind,
+            self.expected_by_kind,
         )
-        return [(number, *row) for number, row in enumerate(zip(*columns, strict=True)) if any(row)]
+        return [(number, *row) for number, row in enumerate(zip_longest(*columns, fillvalue=0)) if any(row)]
 
     @property
-    def coloured(self):
-        """Whether there ever was sand of another colour than the first."""
+    def mixed(self):
+        """Whether there ever were grains of another kind than the first."""
         return any(row[0] for row in self.rows)
 
     def booked(self, change):
-        """Return the account after an act that changed the number of grains of each colour by `change`, a tally."""
+        """Return the account after an act that changed the number of grains of each kind by `change`, a tally."""
         came, went = split(change)
         return replace(
             self,
-            painted_by_colour=added(self.painted_by_colour, came),
-            erased_by_colour=added(self.erased_by_colour, went),
+            painted_by_kind=added(self.painted_by_kind, came),
+            erased_by_kind=added(self.erased_by_kind, went),
         )
 
     def passed(self, traffic):
         """Return the account after the Traffic of some iterations."""
         return replace(
             self,
-            poured_by_colour=added(self.poured_by_colour, traffic.poured),
-            swallowed_by_colour=added(self.swallowed_by_colour, traffic.swallowed),
+            poured_by_kind=added(self.poured_by_kind, traffic.poured),
+            swallowed_by_kind=added(self.swallowed_by_kind, traffic.swallowed),
         )
 
     def balanced(self, world):
-        """Return whether `world` holds the grains that it must, of each colour: none was made or lost."""
-        return world.grains_by_colour == self.expected_by_colour
+        """Return whether `world` holds the grains that it must, in each sum that is kept: none was made or lost."""
+        return self.agrees(world.amounts)
+
+    def agrees(self, amounts):
+        """Return whether there may be so many grains of each kind."""
+        gone = added(self.expected_by_kind, (-each for each in amounts))
+        return all(sum(gone[kind] for kind in kinds) == 0 for kinds in self.kept)

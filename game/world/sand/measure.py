@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from game.core.pile_heights import stack_heights
-from game.core.planes import BITS, SAND, WALLS, count_above
+from game.core.planes import BITS, count_set
 from game.world.sand.advance import advance
 
 FLANK = 0.2, 0.8  # parts of a pile's height between which its slope is taken: foot and tip are rounded
@@ -15,7 +15,7 @@ ZONES = 8  # from left to right: the bytes of a word
 
 def grains_above(world, row):
     """Return the number of grains in the rows above `row`."""
-    return count_above(world.planes, world.layout, min(max(row, 0), world.shape[0]))
+    return count_set(world.filled_planes, world.layout, min(max(row, 0), world.shape[0]))
 
 
 def flow(world, rule, iterations, row):
@@ -32,7 +32,7 @@ def pile_heights(world, top=0):
     """
     height, width = world.shape
     heights = np.zeros(width, np.int64)
-    stack_heights(world.planes, world.layout.stride, world.layout.words, top, height, heights)
+    stack_heights(world.filled_planes, world.wall_planes, world.layout.stride, world.layout.words, top, height, heights)
     return heights
 
 
@@ -65,7 +65,7 @@ class MotionMeter:
         """
         where = world.layout
         step = -(-where.rows // MOST_ROWS)
-        sand = world.planes[SAND:WALLS, : where.rows * where.stride].reshape(4, where.rows, where.stride)
+        sand = world.filled_planes[:, : where.rows * where.stride].reshape(4, where.rows, where.stride)
         rows = np.ascontiguousarray(sand[:, ::step, : where.words])
         before, self._rows = self._rows, rows
         known, self._layout = self._layout == where, where

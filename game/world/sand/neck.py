@@ -5,7 +5,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from game.core import planes as bit_planes
-from game.core.planes import SAND, WALLS
+from game.world.sand.material_codes import EMPTY
 
 FUNNEL = 2  # how many times wider than a neck the room above it is, at least
 TRIES = 12  # narrow places that are looked at; more only where walls are strewn about, which have no neck
@@ -21,7 +21,7 @@ class Neck:
 
     def grains_above(self, world):
         """Return how many grains have the neck still before them, or will never pass it."""
-        return int(np.bitwise_count(world.planes[SAND:WALLS] & self.above).sum())
+        return int(np.bitwise_count(world.filled_planes & self.above).sum())
 
 
 def find_neck(world):
@@ -31,14 +31,15 @@ def find_neck(world):
     down; of equally narrow ones the nearest to the middle of the lattice. With no sand above it is the neck of a glass
     that has run out, or of an empty one: a wider room lies below too, and no sand is as high.
     """
-    sand, walls = world.sand, world.walls
+    walls = world.walls
+    sand = bit_planes.unpack_where(world.planes, world.layout, world.codes.filled)
     for row, start, end in _gaps(walls):
         above = _cells_above(walls, row, start, end)
         if not _is_wide(above, end - start) or not _is_only_way(sand & above, walls, row, start, end):
             continue
         if (sand & above).any() or (not sand[:row].any() and _has_room_below(walls, row, start, end)):
-            planes = bit_planes.pack(above, np.zeros_like(above))
-            return Neck(row, slice(start, end), planes[SAND:WALLS])
+            planes = bit_planes.pack(above.view(np.uint8), world.layout._replace(outside=EMPTY))
+            return Neck(row, slice(start, end), planes[:4])
     return None
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from game.core.planes import PLANES, SAND, WALLS
+from game.core.planes import SAND, WALLS
 
 BAND_WORDS = 2**16  # of a plane, compared at a time: worlds that differ mostly do so soon
 
@@ -18,7 +18,7 @@ class Patch:
 
     def settle(self, world):
         """Return whether `world` has changed since; if not, leave it no room for colours that it had not before."""
-        if self._fixtures != world.fixtures or _differ(self._cells, self._cut(world)):
+        if self._fixtures != world.fixtures or _differ(self._cells, self._cut(world), world.layout.bits):
             return True
         world.planes = self._planes
         return False
@@ -30,14 +30,14 @@ class Patch:
 
 def alike(one, other):
     """Return whether two worlds have the same future under any rule."""
-    if any(getattr(one, each) != getattr(other, each) for each in ("layout", "iteration", "seed", "fixtures")):
+    if any(getattr(one, each) != getattr(other, each) for each in ("codes", "layout", "iteration", "seed", "fixtures")):
         return False
     if one.planes is other.planes:
         return True
     rows, band = one.layout.rows, max(1, BAND_WORDS // one.layout.stride)
     mine, others = _words_of(one), _words_of(other)
     bands = (slice(top, top + band) for top in range(0, rows, band))
-    return not any(_differ(mine[:, each], others[:, each]) for each in bands)
+    return not any(_differ(mine[:, each], others[:, each], one.layout.bits) for each in bands)
 
 
 def _words_of(world):
@@ -47,20 +47,20 @@ def _words_of(world):
     return rows[:, :, : where.words]
 
 
-def _differ(one, other):
+def _differ(one, other, bits):
     """Return whether words of planes differ; a world without colours is like one all of whose sand is amber."""
-    if not np.array_equal(one[:PLANES], other[:PLANES]):
+    if not np.array_equal(one[: 4 * bits], other[: 4 * bits]):
         return True
-    mine, others = _dyes(one), _dyes(other)
+    mine, others = _dyes(one, bits), _dyes(other, bits)
     if mine.size and others.size:
         return not np.array_equal(mine, others)
     return bool(mine.any() or others.any())
 
 
-def _dyes(words):
-    """Return the bits of colour where there is sand; elsewhere those of erased grains may be left."""
-    bits = (len(words) - PLANES) // 4
-    return words[PLANES:].reshape(bits, 4, *words.shape[1:]) & words[SAND:WALLS]
+def _dyes(words, bits):
+    """Return the bits of colour where there is sand; elsewhere those of moved grains may be left."""
+    dyes = words[4 * bits :]
+    return dyes.reshape(len(dyes) // 4, 4, *words.shape[1:]) & words[SAND:WALLS]
 
 
 def _rows(box, where):

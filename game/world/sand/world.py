@@ -7,27 +7,31 @@ from dataclasses import replace
 import numpy as np
 
 from game.core import planes as bit_planes
-from game.core.paint.flood_fill import colour_of, flood, kind_of
-from game.core.paint.ink import EMPTY, GRAIN, RAINBOW, Ink, by_colour
+from game.core.paint.flood_fill import content_of, flood
+from game.core.paint.ink import RAINBOW, Tally
 from game.core.paint.primitives import figure
 from game.core.paint.strokes import stroke
 from game.world.sand import parameters
 from game.world.sand.active_bands import ActiveBands
+from game.world.sand.material_codes import EMPTY, SAND, SAND_CODES, SAND_NAME, WALL, WALL_NAME
 
+BITS_OF_SAND = 2  # of a code, in a world of sand
 RAINBOW_PACE = 192  # iterations until the rainbow's stripes have changed by one colour
 
 
 class World:
-    """A lattice of cells, each empty, sand or wall, at one moment.
+    """A lattice of cells at one moment, each of one material: empty, sand or wall, or what another rule is of.
 
-    Make one with `World.from_cells`. Everything random that will happen to it is decided by `seed` and `iteration`.
+    Make one with `World.from_cells` or `World.from_materials`. Everything random that will happen to it is decided by
+    `seed` and `iteration`.
     """
 
-    __slots__ = ("activity", "fixtures", "iteration", "layout", "planes", "seed")
+    __slots__ = ("activity", "codes", "fixtures", "iteration", "layout", "planes", "seed")
 
-    def __init__(self, planes, layout, iteration, seed, fixtures=()):
-        self.planes = planes  # uint64: sand, walls, walls for odd x; colours, if any grain ever had one
+    def __init__(self, planes, layout, codes, iteration, seed, fixtures=()):
+        self.planes = planes  # uint64: four for each bit of a code; then of colours, if any grain ever had one
         self.layout = layout
+        self.codes = codes  # MaterialCodes
         self.iteration = iteration  # iterations since the start, a non-negative int of any size
         self.seed = seed  # in [0, 2**64)
         self.fixtures = fixtures  # a tuple of Fixture: taps and drains
@@ -44,8 +48,23 @@ class World:
         sand, walls = check_cells(sand, walls)
         if colours is not None:
             colours = check_colours(colours, sand)
-        planes = bit_planes.pack(sand, walls, colours if colours is not None and colours.any() else None)
-        return cls(planes, bit_planes.layout(*sand.shape), 0, parameters.SEED.check(seed))
+        return cls.of_codes(codes_of(sand, walls), SAND_CODES, seed, colours)
+
+    @classmethod
+    def from_materials(cls, cells, rule, seed=0):
+        """Return a world of the materials of `rule`, at iteration 0.
+
+        cells: (H, W) uint8, the code of each cell's material, a place in `rule.materials`; H and W are in [1, 16384].
+        seed is in [0, 2**64). Raises ValueError for other shapes, dtypes, codes or seeds.
+        """
+        return cls.of_codes(check_codes(cells, rule.materials), rule.codes, seed)
+
+    @classmethod
+    def of_codes(cls, cells, codes, seed=0, colours=None):
+        """Return a world of checked cells, (H, W) uint8, that stand for MaterialCodes, with colours of its sand."""
+        layout = bit_planes.layout(*cells.shape, len(codes.names), codes.wall)
+        planes = bit_planes.pack(cells, layout, colours if colours is not None and colours.any() else None)
+        return cls(planes, layout, codes, 0, parameters.SEED.check(seed))
 
     @property
     def shape(self):
@@ -53,24 +72,46 @@ class World:
         return self.layout.height, self.layout.width
 
     @property
+    def materials(self):
+        """The code of each cell's material: a new (H, W) uint8 array."""
+        return bit_planes.unpack(self.planes, self.layout)
+
+    def where(self, material):
+        """Return where a material is, in all its forms: a new (H, W) bool array.
+
+        Raises ValueError unless it is one of the world's materials.
+        """
+        return bit_planes.unpack_where(self.planes, self.layout, self.codes.codes_of(material))
+
+    @property
     def sand(self):
         """Where sand is: a new (H, W) bool array."""
-        return bit_planes.unpack(self.planes, self.layout, bit_planes.SAND)
+        return self.where(SAND_NAME)
 
     @property
     def walls(self):
         """Where walls are: a new (H, W) bool array."""
-        return bit_planes.unpack(self.planes, self.layout, bit_planes.WALLS)
+        return self.where(WALL_NAME)
+
+    @property
+    def filled_planes(self):
+        """Four planes of the cells that are neither air nor wall, only to be read."""
+        return bit_planes.planes_where(self.planes, self.layout, self.codes.filled)
+
+    @property
+    def wall_planes(self):
+        """Four planes of the cells that are wall, only to be read."""
+        return bit_planes.planes_where(self.planes, self.layout, {self.codes.wall})
 
     @property
     def grains(self):
-        """The number of cells that hold sand."""
-        return bit_planes.count(self.planes, self.layout, bit_planes.SAND)
+        """The number of cells that are neither air nor wall: in a world of sand its grains."""
+        return bit_planes.count_set(self.filled_planes, self.layout)
 
     @property
     def coloured(self):
         """Whether the world carries colours: it does from the first coloured grain until it is cleared."""
-        return len(self.planes) > bit_planes.PLANES
+        return bit_planes.has_colours(self.planes, self.layout)
 
     @property
     def colours(self):
@@ -78,23 +119,30 @@ class World:
         return bit_planes.unpack_colours(self.planes, self.layout)
 
     @property
-    def grains_by_colour(self):
-        """The number of grains of each colour: a tuple of eight."""
-        return tuple(bit_planes.count_colours(self.planes, self.layout))
+    def amounts(self):
+        """How many cells there are of each kind: a tuple of ints.
+
+        The kinds are the eight colours of sand, or in a world of other materials these by code, air and walls left 0.
+        """
+        if not self.codes.is_sand:
+            return self._filled(bit_planes.count(self.planes, self.layout, range(len(self.codes.names))))
+        if not self.coloured:
+            return (self.grains, *[0] * (RAINBOW - 1))
+        return bit_planes.count(self.planes, self.layout, _contents_of_sand(len(self.planes)))
 
     def copy(self):
         """Return a world of its own with the same cells, iteration and seed."""
         planes = bit_planes.empty(self.layout, len(self.planes))
         planes[:] = self.planes
-        return World(planes, self.layout, self.iteration, self.seed, self.fixtures)
+        return World(planes, self.layout, self.codes, self.iteration, self.seed, self.fixtures)
 
     def same(self):
         """Return another World of the same planes: what this one is, until a stroke or an iteration changes them."""
-        return World(self.planes, self.layout, self.iteration, self.seed, self.fixtures)
+        return World(self.planes, self.layout, self.codes, self.iteration, self.seed, self.fixtures)
 
     def __reduce__(self):
         """Let `copy`, `deepcopy` and `pickle` make what `copy` does: a world that shares nothing with this one."""
-        return _again, (self.planes, self.layout, self.iteration, self.seed, self.fixtures)
+        return _again, (self.planes, self.layout, self.codes, self.iteration, self.seed, self.fixtures)
 
     def flip(self):
         """Turn the lattice by 180 degrees, in place; twice is the identity."""
@@ -105,102 +153,150 @@ class World:
     def turned(self, quarters):
         """Return the world after so many quarter turns, clockwise: a new one, its height and width exchanged if odd."""
         height, width = self.shape[::-1] if quarters % 2 else self.shape
-        planes, layout = bit_planes.turned(self.planes, self.layout, quarters), bit_planes.layout(height, width)
+        layout = bit_planes.layout(height, width, self.layout.codes, self.layout.outside)
+        planes = bit_planes.turned(self.planes, self.layout, quarters)
         fixtures = tuple(each.turned(quarters, self.shape) for each in self.fixtures)
-        return World(planes, layout, self.iteration, self.seed, fixtures)
+        return World(planes, layout, self.codes, self.iteration, self.seed, fixtures)
 
-    def within(self, sand, walls, colours=None):
+    def within(self, cells, colours=None):
         """Return the world with other cells, its middle where it was: a new one at the same iteration.
 
-        sand, walls: (H, W) bool. colours: (H, W) uint8, or None for a world without.
+        cells: (H, W) uint8, codes of its materials. colours: (H, W) uint8, or None for a world without.
         """
-        down, across = ((new - old) // 2 for new, old in zip(sand.shape, self.shape, strict=True))
-        fixtures = tuple(replace(each, x=each.x + across, y=each.y + down) for each in self.fixtures)
-        layout = bit_planes.layout(*sand.shape)
-        return World(bit_planes.pack(sand, walls, colours), layout, self.iteration, self.seed, fixtures)
+        down, across = ((new - old) // 2 for new, old in zip(cells.shape, self.shape, strict=True))
+        world = World.of_codes(cells, self.codes, self.seed, colours)
+        world.iteration = self.iteration
+        world.fixtures = tuple(replace(each, x=each.x + across, y=each.y + down) for each in self.fixtures)
+        return world
+
+    def of(self, codes):
+        """Return the world for a rule of other materials: itself if they are its own; what they have not is gone."""
+        if codes == self.codes:
+            return self
+        numbers = [codes.code(name) or EMPTY for name in self.codes.names]
+        world = World.of_codes(np.array(numbers, np.uint8)[self.materials], codes, self.seed)
+        world.iteration, world.fixtures = self.iteration, self.fixtures
+        return world
 
     def clear(self):
-        """Take all sand away, with its colours, and leave the walls, in place."""
+        """Take everything away but the walls, with the colours of sand, in place."""
         if self.coloured:
             self.planes = bit_planes.without_colours(self.planes, self.layout)
-        self.planes[bit_planes.SAND : bit_planes.WALLS] = 0
+        walls = self.wall_planes.copy()
+        for first in range(0, len(self.planes), 4):
+            self.planes[first : first + 4] &= walls
         self.activity.wake()
 
     def stroke(self, start, end, diameter, shape, ink):
         """Give `ink` to the cells that a brush covers on its way from one place (column, row) to another.
 
-        diameter: in cells. shape: `ROUND`, `SQUARE` or `DIAMOND` of `core.paint.strokes`. Return the change in the
-        grains of each colour, a tuple of eight.
+        diameter: in cells. shape: `ROUND`, `SQUARE` or `DIAMOND` of `core.paint.strokes`. Return the change in
+        `amounts`.
         """
-        where, radius, ink = self.layout, diameter / 2, self.mixed(ink)
+        where, radius, tally = self.layout, diameter / 2, self.tally(ink)
         rows = start[1], end[1]
         self.activity.wake(math.floor(min(rows) - radius) - 1, math.ceil(max(rows) + radius) + 2)
-        change = stroke(self.planes, where.height, where.width, where.words, *start, *end, radius, shape, ink)
-        return by_colour(change, ink)
+        stroke(self.planes, where.height, where.width, where.words, *start, *end, radius, shape, tally)
+        return self.change(tally)
 
     def figure(self, kind, box, edge, ink):
         """Give `ink` to the cells of a figure, or only to those up to `edge` cells from its outline; 0 for all.
 
         kind: `RECTANGLE` or `ELLIPSE` of `core.paint.primitives`. box: first column and row, then those after the last.
-        Return the change in the grains of each colour, a tuple of eight.
+        Return the change in `amounts`.
         """
-        where, ink = self.layout, self.mixed(ink)
+        where, tally = self.layout, self.tally(ink)
         self.activity.wake(box[1] - 1, box[3] + 1)
-        change = figure(self.planes, where.height, where.width, where.words, kind, *box, edge, ink)
-        return by_colour(change, ink)
+        figure(self.planes, where.height, where.width, where.words, kind, *box, edge, tally)
+        return self.change(tally)
 
     def fill(self, column, row, ink):
-        """Give `ink` to a cell, and to all cells connected with it through cells of its kind.
+        """Give `ink` to a cell, and to all cells connected with it through cells of its code.
 
-        Return the change in the grains of each colour, a tuple of eight.
+        Return the change in `amounts`.
         """
-        if self.kind_at(column, row) is None:
-            return by_colour(0, Ink(EMPTY))
-        ink = self.mixed(ink)
-        change, top, bottom = flood(self.planes, self.layout, column, row, ink)
-        self.activity.wake(top - 1, bottom + 1)
-        return by_colour(change, ink)
+        tally = self.tally(ink)
+        if self.code_at(column, row) is not None:
+            top, bottom = flood(self.planes, self.layout, column, row, tally)
+            self.activity.wake(top - 1, bottom + 1)
+        return self.change(tally)
 
-    def mixed(self, ink):
-        """Return the ink as kernels need it for this world: with room to count colours, or without a colour.
+    def tally(self, ink):
+        """Return a Tally for kernels that give cells of this world an ink.
 
         The first coloured ink gives the world its planes of colours.
         """
-        if ink.colour and ink.material == GRAIN and not self.coloured:
+        dyes = self.codes.is_sand and ink.code == SAND
+        if dyes and ink.colour and not self.coloured:
             self.planes = bit_planes.with_colours(self.planes, self.layout)
-        if not self.coloured:
-            return ink._replace(colour=None, tally=None)
         first = self.iteration // RAINBOW_PACE % RAINBOW if ink.colour == RAINBOW else 0
-        return ink._replace(colour=ink.colour + first, tally=np.zeros(RAINBOW, np.int64))
+        ink = ink._replace(colour=ink.colour + first if dyes and self.coloured else 0)
+        return Tally(ink, self.layout.bits, np.zeros(2 ** (len(self.planes) // 4), np.int64))
 
-    def kind_at(self, column, row):
-        """Return the kind of a cell, `EMPTY`, `GRAIN` or `WALL` of `core.paint.ink`; None outside of the lattice."""
+    def change(self, tally):
+        """Return the change in `amounts` that a Tally has counted."""
+        if not self.codes.is_sand:
+            return self._filled(tally.change[: len(self.codes.names)].tolist())
+        change = [int(tally.change[content]) for content in _contents_of_sand(len(self.planes))]
+        return (*change, *[0] * (RAINBOW - len(change)))
+
+    def _filled(self, numbers):
+        return tuple(number * (code in self.codes.filled) for code, number in enumerate(numbers))
+
+    def code_at(self, column, row):
+        """Return the code of a cell; None outside of the lattice."""
         height, width = self.shape
         if not (0 <= column < width and 0 <= row < height):
             return None
-        return kind_of(self.planes, self.layout, column, row)
+        return content_of(self.planes, self.layout, column, row) % 2**self.layout.bits
 
     def colour_at(self, column, row):
         """Return the number of the colour of a cell's sand, 0 where there is none."""
-        if not self.coloured or self.kind_at(column, row) != GRAIN:
+        if not self.coloured or self.code_at(column, row) != SAND:
             return 0
-        return colour_of(self.planes, self.layout, column, row)
+        return content_of(self.planes, self.layout, column, row) >> self.layout.bits
 
     def digest(self):
         """Return 32 hex digits that name all that decides the future: shape, cells, seed, iteration and fixtures."""
         digest = hashlib.blake2b(digest_size=16)
         digest.update(f"{self.shape} {self.seed} {self.iteration} ".encode())
         digest.update("".join(f"{each} " for each in self.fixtures).encode())
-        for first in (bit_planes.SAND, bit_planes.WALLS):
-            for rows in bit_planes.bands(self.planes, self.layout, first):
+        if not self.codes.is_sand:
+            digest.update(f"{', '.join(self.codes.names)} ".encode())
+        for bit in range(self.layout.bits):
+            for rows in bit_planes.bands(self.planes[4 * bit : 4 * bit + 4], self.layout):
                 digest.update(np.packbits(rows, axis=1).tobytes())
-        if any(self.grains_by_colour[1:]):
+        if self.codes.is_sand and any(self.amounts[1:]):
             digest.update(self.colours.tobytes())
         return digest.hexdigest()
 
 
 def _again(*parts):
     return World(*parts).copy()
+
+
+def _contents_of_sand(planes):
+    """Return the contents that are sand of each colour, in a world of sand of so many planes."""
+    return range(SAND, 2 ** (planes // 4), 2**BITS_OF_SAND)
+
+
+def codes_of(sand, walls):
+    """Return the (H, W) uint8 codes of cells of a world of sand, from two bool arrays."""
+    return sand.view(np.uint8) * np.uint8(SAND) + walls.view(np.uint8) * np.uint8(WALL)
+
+
+def check_codes(cells, materials):
+    """Return (H, W) uint8 codes, contiguous, or raise ValueError saying what codes of `materials` must be."""
+    cells = np.ascontiguousarray(cells)
+    if cells.dtype != np.uint8 or cells.ndim != 2:
+        raise ValueError(f"cells must be a uint8 array of shape (H, W), got {cells.dtype} of shape {cells.shape}")
+    for side in cells.shape:
+        parameters.SIDE.check(side)
+    if cells.max() >= len(materials):
+        row, column = np.argwhere(cells >= len(materials))[0]
+        found = f"{cells[row, column]} in row {row}, column {column}"
+        raise ValueError(f"a code must be in [0, {len(materials) - 1}], one of {', '.join(materials)}, got {found}")
+    return cells
 
 
 def check_cells(sand, walls):

@@ -1,51 +1,96 @@
-"""Cells as an array of materials, read from characters or from a picture."""
+"""Cells as an array of numbers, read from characters or from a picture: materials, and sand of each colour."""
 
-from functools import partial
+from dataclasses import dataclass
+from functools import lru_cache, partial
 
 import numpy as np
 
 from game.world.files.checked_table import shown
 from game.world.sand import parameters
+from game.world.sand.material_codes import SAND_CODES, MaterialCodes
 from game.world.sand.sand_colours import AMBER, DYED
 from game.world.scenes import picture_pixels
 
-EMPTY, SAND, WALL = 0, 1, 2  # a material, as the uint8 in an array of cells; coloured sand has the numbers after them
-MATERIALS = {"empty": EMPTY, "sand": SAND, "wall": WALL}
-MARKS = ".o#1234567"  # a material's character in `cells`, in the order of the numbers above
-COLOURS = (  # a material's colour in a picture; the nearest one counts
-    (38, 33, 28),
-    DYED[AMBER],
-    (120, 140, 150),
-    *(rgb for name, rgb in DYED.items() if name != AMBER),
+EMPTY, SAND, WALL = 0, 1, 2  # numbers of cells in a scene of sand; coloured sand has those after them
+MARGIN = 16  # of 255: a pixel further than this from all colours of cells in any channel is guessed
+
+
+@dataclass(frozen=True)
+class CellPalette:
+    """What the numbers in an array of cells stand for: the codes of a rule's materials, then the colours of sand."""
+
+    codes: MaterialCodes
+    names: tuple  # of the materials, by number, as scene files spell them
+    marks: str  # the character of each number in `cells`
+    colours: tuple  # the (red, green, blue) of each number in a picture; the nearest one counts
+
+    @property
+    def wall(self):
+        """The number of walls."""
+        return self.codes.wall
+
+    @property
+    def sands(self):
+        """The number of sand of each colour; empty where sand has none."""
+        return (SAND, *range(WALL + 1, len(self.colours))) if self.codes.is_sand else ()
+
+    def number(self, name):
+        """Return the number of the material of that name."""
+        return self.names.index(name)
+
+
+SAND_PALETTE = CellPalette(
+    SAND_CODES,
+    ("empty", "sand", "wall"),
+    ".o#1234567",
+    ((38, 33, 28), DYED[AMBER], (120, 140, 150), *(rgb for name, rgb in DYED.items() if name != AMBER)),
 )
-SANDS = (SAND, *range(WALL + 1, len(COLOURS)))  # the material that is sand of each colour
-MARGIN = 16  # of 255: a pixel further than this from all of these colours in any channel is guessed
 
 
-def written_cells(table):
-    """Return the cells that the text at `cells` spells: '.' empty, 'o' sand, '#' wall, '1' … '7' sand of a colour."""
+@lru_cache(maxsize=32)
+def palette_of(definition):
+    """Return the CellPalette of scenes of a rule's Definition: that of sand, or its materials, letters and colours."""
+    if definition.codes.is_sand:
+        return SAND_PALETTE
+    materials = definition.materials
+    names = ("empty", *(each.name for each in materials[1:]))
+    return CellPalette(
+        definition.codes, names, "".join(each.letter for each in materials), tuple(each.colour for each in materials)
+    )
+
+
+def written_cells(table, palette):
+    """Return the cells that the text at `cells` spells with the marks of a CellPalette.
+
+    In a scene of sand: '.' empty, 'o' sand, '#' wall, '1' … '7' sand of a colour.
+    """
     text = table.values["cells"]
     if not isinstance(text, str):
-        raise table.error("cells", shown(text), 'rows of characters . o # between """')
+        raise table.error("cells", shown(text), f'rows of characters {" ".join(palette.marks[:3])} between """')
     rows = text.removesuffix("\n").split("\n")
     for name, count in (("rows", len(rows)), ("columns", len(rows[0]))):
         if not parameters.SIDE.low <= count <= parameters.SIDE.high:
             raise table.error("cells", f"{count} {name}", parameters.SIDE.wanted)
     for number, row in enumerate(rows, 1):
-        strange = row.translate(str.maketrans("", "", MARKS))
+        strange = row.translate(str.maketrans("", "", palette.marks))
         if strange:
             place = f"row {number}, column {row.index(strange[0]) + 1}"
-            wanted = "only . (empty), o (sand), # (wall), 1 to 7 (sand of a colour)"
-            raise table.error("cells", f"{strange[0]!r} in {place}", wanted)
+            raise table.error("cells", f"{strange[0]!r} in {place}", f"only {_legend(palette)}")
         if len(row) != len(rows[0]):
             raise table.error("cells", f"{len(row)} characters in row {number}", f"{len(rows[0])} as in row 1")
-    codes = np.zeros(128, np.uint8)
-    codes[[ord(mark) for mark in MARKS]] = range(len(MARKS))
-    drawn = np.frombuffer("".join(rows).encode("ascii"), np.uint8)
-    return codes[drawn].reshape(len(rows), len(rows[0]))
+    points = [ord(mark) for mark in palette.marks]
+    numbers = np.zeros(max(points) + 1, np.uint8)
+    numbers[points] = range(len(points))
+    drawn = np.frombuffer("".join(rows).encode("utf-32-le"), "<u4")
+    return numbers[drawn].reshape(len(rows), len(rows[0]))
 
 
-def painted_cells(table, folder):
+def _legend(palette):
+    named = [f"{mark} ({name})" for mark, name in zip(palette.marks, palette.names, strict=False)]
+    return ", ".join([*named, *(["1 to 7 (sand of a colour)"] if palette.sands else [])])
+
+
+def painted_cells(table, folder, palette):
     """Return the cells in the picture named at `picture`, a file in `folder`, and how many were guessed.
 
     See-through pixels are empty.
@@ -56,20 +101,20 @@ def painted_cells(table, folder):
     if not (folder / name).is_file():
         raise table.error("picture", f"no file {name!r}", f"a picture in {folder}")
     with picture_pixels.opened(folder / name, partial(table.error, "picture")) as picture:
-        return cells_of(picture_pixels.rgba(picture))
+        return cells_of(picture_pixels.rgba(picture), palette)
 
 
-def cells_of(pixels):
-    """Return the (H, W) uint8 materials of RGBA pixels, and how many of them were guessed."""
+def cells_of(pixels, palette):
+    """Return the (H, W) uint8 numbers of RGBA pixels in a CellPalette, and how many of them were guessed."""
     bands = np.array_split(pixels, len(pixels) // 64 + 1)
-    guessed = sum(int(guesses(rows).sum()) for rows in bands)
-    return np.concatenate([nearest_materials(rows) for rows in bands]), guessed
+    guessed = sum(int(guesses(rows, palette).sum()) for rows in bands)
+    return np.concatenate([nearest_cells(rows, palette) for rows in bands]), guessed
 
 
-def guesses(pixels):
-    """Return which RGBA pixels are of no material's colour, so that the nearest one is a guess, (H, W) bool."""
+def guesses(pixels, palette):
+    """Return which RGBA pixels are of no colour of a CellPalette, so that the nearest is a guess, (H, W) bool."""
     colours = pixels[..., :3].astype(np.int16)
-    far = [(np.abs(colours - colour) > MARGIN).any(axis=-1) for colour in COLOURS]
+    far = [(np.abs(colours - colour) > MARGIN).any(axis=-1) for colour in palette.colours]
     return np.all(far, axis=0) & (pixels[..., 3] >= 128)
 
 
@@ -77,35 +122,36 @@ def told_guesses(path, guessed, number):
     """Return what to say of a picture of which so many of its cells were guessed, or None."""
     if not guessed:
         return None
-    return f"{path}: found {guessed:,} of {number:,} cells in no colour of sand, wall or air: the nearest was guessed"
+    return f"{path}: found {guessed:,} of {number:,} cells in no material's colour: the nearest was guessed"
 
 
-def nearest_materials(pixels):
-    """Return the material of each RGBA pixel: the one whose colour is nearest; what is see-through is empty."""
+def nearest_cells(pixels, palette):
+    """Return the number of each RGBA pixel: the one whose colour is nearest; what is see-through is empty."""
     colours = pixels[..., :3].astype(np.int32)
-    distances = [((colours - colour) ** 2).sum(axis=-1) for colour in COLOURS]
-    materials = np.argmin(distances, axis=0).astype(np.uint8)
-    materials[pixels[..., 3] < 128] = EMPTY
-    return materials
+    distances = [((colours - colour) ** 2).sum(axis=-1) for colour in palette.colours]
+    cells = np.argmin(distances, axis=0).astype(np.uint8)
+    cells[pixels[..., 3] < 128] = EMPTY
+    return cells
 
 
-def parted(cells):
-    """Return sand and walls, (H, W) bool, and the colours of the sand, (H, W) uint8 or None, none of them writable."""
-    walls = cells == WALL
-    sand, colours = (cells != EMPTY) & ~walls, None
-    if (cells > WALL).any():
-        numbers = np.zeros(len(COLOURS), np.uint8)
-        numbers[list(SANDS)] = range(len(SANDS))
-        colours = numbers[cells]
+def parted(cells, palette):
+    """Return the codes of cells, (H, W) uint8, and the colours of their sand or None; neither can be written to."""
+    codes, colours = cells, None
+    if palette.sands and (cells > WALL).any():
+        numbers = np.zeros(len(palette.colours), np.uint8)
+        numbers[list(palette.sands)] = range(len(palette.sands))
+        codes, colours = np.where(cells > WALL, np.uint8(SAND), cells), numbers[cells]
         colours.flags.writeable = False
-    sand.flags.writeable = walls.flags.writeable = False
-    return sand, walls, colours
+    codes = codes.view()
+    codes.flags.writeable = False
+    return codes, colours
 
 
-def joined(sand, walls, colours=None):
-    """Return the (H, W) uint8 materials of cells: what `parted` takes apart."""
-    sands = SAND if colours is None else np.array(SANDS, np.uint8)[colours]
-    return np.where(walls, WALL, np.where(sand, sands, EMPTY)).astype(np.uint8)
+def joined(codes, colours, palette):
+    """Return the (H, W) uint8 numbers of cells: what `parted` takes apart."""
+    if colours is None or not palette.sands:
+        return codes
+    return np.where(codes == SAND, np.array(palette.sands, np.uint8)[colours], codes)
 
 
 def resampled(cells, height, width):

@@ -2,16 +2,27 @@
 
 from game.world.sand import parameters
 from game.world.sand.fixtures import DRAIN, FIRST_CELL, MOST, SIDE, TAP, Fixture
+from game.world.sand.material_codes import SAND_NAME
 from game.world.sand.sand_colours import AMBER, DYES
 
-KEYS = {DRAIN: ("x", "y", "width", "height", "every"), TAP: ("x", "y", "width", "height", "every", "colour")}
+KEYS = {
+    DRAIN: ("x", "y", "width", "height", "every"),
+    TAP: ("x", "y", "width", "height", "every", "colour", "material"),
+}
 
 
-def read_fixture(table, kind):
-    """Return the Fixture of a kind that a CheckedTable spells; raise TableError where it spells none."""
+def read_fixture(table, kind, codes=None):
+    """Return the Fixture of a kind that a CheckedTable spells; raise TableError where it spells none.
+
+    codes: the MaterialCodes of the world that it is for, if they are known.
+    """
     sizes = (table.number(key, SIDE, SIDE.default) for key in ("width", "height"))
     x, y = table.number("x", FIRST_CELL), table.number("y", FIRST_CELL)
-    return Fixture(kind, x, y, *sizes, table.number("every", parameters.EVERY, 1), table.choice("colour", DYES, AMBER))
+    every, colour = table.number("every", parameters.EVERY, 1), table.choice("colour", DYES, AMBER)
+    poured = [codes.names[code] for code in sorted(codes.filled)] if codes else ()
+    usual = SAND_NAME if codes is None or SAND_NAME in poured else poured[0]
+    material = table.choice("material", poured, usual) if codes else table.line("material", usual)
+    return Fixture(kind, x, y, *sizes, every, colour, material if kind == TAP else SAND_NAME)
 
 
 def read_fixtures(table, key="fixtures"):

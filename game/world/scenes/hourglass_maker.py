@@ -7,7 +7,9 @@ import numpy as np
 
 from game.world.rules.rule import Rule
 from game.world.sand import parameters
+from game.world.sand.material_codes import SAND_NAME
 from game.world.sand.parameters import Knob
+from game.world.scenes.cell_arrays import EMPTY
 from game.world.scenes.hourglass import NECK, THICKNESS
 from game.world.scenes.hourglass_spec import SMALLEST, Glass
 from game.world.scenes.scene import Scene
@@ -27,12 +29,17 @@ SLOWEST = 30  # iterations per second; sand that moves more slowly stutters
 
 
 def scene_of(glass, rule=RULE, speed=parameters.SPEED.default):
-    """Return the Scene of a Glass."""
-    sand, walls = glass.cells()
+    """Return the Scene of a Glass, filled with sand or, if the rule has none, with its first material."""
     cell = round(min(max(WINDOW / glass.height, parameters.CELL.low), parameters.CELL.high))
-    return Scene(
-        "glass", "Your glass", "", sand, walls, rule, speed, cell, neck=glass.height // 2, made_of="glass", glass=glass
-    )
+    cells = cells_of(glass, rule.codes)
+    return Scene("glass", "Your glass", "", cells, rule, speed, cell, glass.height // 2, "glass", glass=glass)
+
+
+def cells_of(glass, codes):
+    """Return the codes of a full Glass, (H, W) uint8, in a world of MaterialCodes: of sand, or of what comes first."""
+    sand, walls = glass.cells()
+    content = codes.code(SAND_NAME) or min(codes.filled, default=EMPTY)
+    return np.where(sand, np.uint8(content), walls * np.uint8(codes.wall))
 
 
 def glass_within(width, height):

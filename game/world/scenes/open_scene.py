@@ -5,7 +5,7 @@ from dataclasses import replace
 from pathlib import Path
 
 from game.world.sand import parameters
-from game.world.scenes.cell_arrays import joined, parted, resampled
+from game.world.scenes.cell_arrays import joined, palette_of, parted, resampled
 from game.world.scenes.picture_file import Photo, SeededScene, open_picture
 from game.world.scenes.scene import load_scene
 
@@ -28,7 +28,9 @@ def load_start(name_or_path, size=None):
 def _on_lattice(scene, width, height):
     """Return the scene with each cell of another lattice as the one at its centre."""
     own_height, own_width = scene.shape
-    cells = joined(scene.sand, scene.walls, scene.colours)
-    sand, walls, colours = parted(resampled(cells, parameters.SIDE.check(height), parameters.SIDE.check(width)))
+    palette = palette_of(scene.rule.definition)
+    numbers = joined(scene.cells, scene.colours, palette)
+    numbers = resampled(numbers, parameters.SIDE.check(height), parameters.SIDE.check(width))
+    cells, colours = parted(numbers, palette)
     fixtures = tuple(each.scaled(width / own_width, height / own_height) for each in scene.fixtures)
-    return replace(scene, sand=sand, walls=walls, colours=colours, fixtures=fixtures)
+    return replace(scene, cells=cells, colours=colours, fixtures=fixtures)

@@ -16,19 +16,20 @@ from game.world.files.checked_table import CheckedTable, TableError
 from game.world.looks.colour_space import oklab
 from game.world.looks.themes import WALL_LOOKS
 from game.world.rules.rule import Rule
+from game.world.rules.rule_json import decode_rule, encode_rule
 from game.world.sand import parameters
 from game.world.sand.parameters import Knob
 from game.world.sand.sand_colours import DYED
 from game.world.scenes.cell_arrays import (
-    COLOURS,
     EMPTY,
     SAND,
-    SANDS,
+    SAND_PALETTE,
     WALL,
     cells_of,
     guesses,
     joined,
-    nearest_materials,
+    nearest_cells,
+    palette_of,
     parted,
     resampled,
     told_guesses,
@@ -36,7 +37,6 @@ from game.world.scenes.cell_arrays import (
 from game.world.scenes.fixture_tables import read_fixtures
 from game.world.scenes.picture_pixels import CHUNK, is_saved, opened, rgba, thumbnail, upright
 from game.world.scenes.scene import Scene
-from game.world.scenes.scene_json import decode_rule
 
 VERSION = 1
 THRESHOLD = Knob("threshold", 0.5, 0.02, 1.0, "", "how bright a picture must be to become sand; half of it: walls")
@@ -68,15 +68,16 @@ def picture_bytes(session):
     from PIL.PngImagePlugin import PngInfo
 
     world, scene = session.world, session.scene
-    materials = joined(world.sand, world.walls, world.colours)
+    palette = palette_of(session.rule.definition)
+    materials = joined(world.materials, world.colours if world.coloured else None, palette)
     picture = Image.fromarray(materials, "P")
-    picture.putpalette([part for colour in COLOURS for part in colour])
+    picture.putpalette([part for colour in palette.colours for part in colour])
     settings = {
         "sandglass": VERSION,
         "title": scene.title,
         "notice": scene.notice,
         "walls": scene.made_of,
-        "rule": session.rule.as_dict(),
+        "rule": encode_rule(session.rule),
         "seed": session.seed,
         "speed": session.clock.speed,
         "cell": scene.cell,
@@ -107,12 +108,12 @@ class Photo:
         materials = _by_rows(self.pixels, lambda rows: _by_brightness(rows, level))
         if in_colours:
             materials = np.where(materials == SAND, self._dyed, materials)
-        return _scene(self.path, materials, 0, None)
+        return _scene(self.path, materials, 0, _told(self.path, None))
 
     @cached_property
     def _dyed(self):
         """The photo as sand alone: the material of the nearest dye in each cell."""
-        return np.array(SANDS, np.uint8)[nearest_dyes(self.pixels[..., :3])]
+        return np.array(SAND_PALETTE.sands, np.uint8)[nearest_dyes(self.pixels[..., :3])]
 
 
 def open_picture(path):
@@ -124,11 +125,14 @@ def open_picture(path):
     path = Path(path)
     with _opened(path, saved_too=True) as picture:
         text = picture.info.get(CHUNK)
-        saved = _by_palette(picture) if is_saved(picture) else None
+    settings = _told(path, text)
+    palette = palette_of(settings.fields["rule"].definition)
+    with _opened(path, saved_too=True) as picture:
+        saved = _by_palette(picture, palette) if is_saved(picture) else None
         pixels = None if saved else rgba(picture)
     if saved is None and text is None and not _is_drawn(pixels):
         return Photo(path, _fitted(pixels))
-    return _scene(path, *(saved or cells_of(pixels)), text)
+    return _scene(path, *(saved or cells_of(pixels, palette)), settings)
 
 
 def thumbnail_of(path, largest):
@@ -153,18 +157,31 @@ def _opened(path, saved_too=False):
         raise PictureError(error) from None
 
 
-def _scene(path, materials, guessed, text):
-    """Return the SeededScene of (H, W) materials, so many of them guessed, and the text of settings, or None."""
-    sand, walls, colours = parted(materials)
+class _Settings(NamedTuple):
+    """What a picture's text says."""
+
+    checksum: str  # of the cells, or ""
+    fields: dict  # of a Scene, beside its cells
+    seed: int
+
+
+def _told(path, text):
+    """Return the _Settings in a picture's text, or the usual ones if it has none."""
     try:
-        checksum, settings, seed = _settings(path, text)
+        return _settings(path, text)
     except TableError as error:
         raise PictureError(error) from None
+
+
+def _scene(path, materials, guessed, settings):
+    """Return the SeededScene of the (H, W) numbers of cells, so many of them guessed, and _Settings."""
+    palette = palette_of(settings.fields["rule"].definition)
+    cells, colours = parted(materials, palette)
     problem = told_guesses(path, guessed, materials.size)
-    if problem is None and checksum not in ("", _checksum(materials)):
+    if problem is None and settings.checksum not in ("", _checksum(materials)):
         problem = f"{path}: found other cells than were saved: it was edited or damaged"
-    scene = Scene(path.stem, sand=sand, walls=walls, colours=colours, problem=problem, **settings)
-    return SeededScene(scene, seed)
+    scene = Scene(path.stem, cells=cells, colours=colours, problem=problem, **settings.fields)
+    return SeededScene(scene, settings.seed)
 
 
 def _checksum(materials):
@@ -174,11 +191,14 @@ def _checksum(materials):
     return digest.hexdigest()
 
 
-def _by_palette(picture):
+def _by_palette(picture, palette_of_cells):
     """Return the material of each pixel of a picture with a palette, and how many of them were guessed."""
     palette = np.array(picture.getpalette("RGBA"), np.uint8).reshape(1, -1, 4)
     materials, guessed = np.full(256, EMPTY, np.uint8), np.zeros(256, bool)
-    materials[: palette.shape[1]], guessed[: palette.shape[1]] = nearest_materials(palette)[0], guesses(palette)[0]
+    materials[: palette.shape[1]], guessed[: palette.shape[1]] = (
+        nearest_cells(palette, palette_of_cells)[0],
+        guesses(palette, palette_of_cells)[0],
+    )
     pixels = np.asarray(upright(picture))
     return materials[pixels], int(np.bincount(pixels.ravel(), minlength=256)[guessed].sum())
 
@@ -186,7 +206,7 @@ def _by_palette(picture):
 def _is_drawn(pixels):
     """Return whether nearly all pixels have the colours of cells."""
     sample = pixels[:: max(1, len(pixels) // 256), :, :3].astype(np.int16)
-    near = [(np.abs(sample - colour) <= NEAR).all(axis=-1) for colour in COLOURS]
+    near = [(np.abs(sample - colour) <= NEAR).all(axis=-1) for colour in SAND_PALETTE.colours]
     return np.any(near, axis=0).mean() >= PURE
 
 
@@ -217,11 +237,11 @@ def _fitted(pixels):
 
 
 def _settings(path, text):
-    """Return (the checksum of the cells, or "", the fields of a Scene beside them, the seed) from a picture's text."""
+    """Return the _Settings in a picture's text, the usual ones if it has none; raise TableError where it is wrong."""
     if text is None:
         fields = {"title": path.stem, "notice": "", "rule": Rule.with_p(0.75, "balanced")}
         fields |= {"speed": parameters.SPEED.default, "cell": parameters.CELL.default}
-        return "", fields, parameters.SEED.default
+        return _Settings("", fields, parameters.SEED.default)
     try:
         table = CheckedTable(path, json.loads(text), f"{CHUNK}: ")
     except (ValueError, TypeError, RecursionError):
@@ -234,4 +254,4 @@ def _settings(path, text):
     fields |= {"rule": decode_rule(table.table("rule")), "speed": table.number("speed", parameters.SPEED)}
     fields["made_of"] = table.choice("walls", WALL_LOOKS, WALL_LOOKS[0])
     fields |= {"cell": table.number("cell", parameters.CELL), "fixtures": read_fixtures(table)}
-    return table.line("cells", ""), fields, table.number("seed", parameters.SEED)
+    return _Settings(table.line("cells", ""), fields, table.number("seed", parameters.SEED))

@@ -10,15 +10,25 @@ from zlib import crc32
 import numpy as np
 
 from game.world.files.atomic import FileError
-from game.world.files.checked_table import as_line, read_table, shown
+from game.world.files.checked_table import as_line, read_table
 from game.world.files.paths import asset
 from game.world.looks.themes import WALL_LOOKS
 from game.world.rules.rule import FIELDS, PROBABILITIES, SCHEDULES, Rule
+from game.world.rules.rule_json import read_rule
 from game.world.sand import parameters
 from game.world.sand.fixtures import DRAIN, TAP
+from game.world.sand.material_codes import SAND
 from game.world.sand.sand_colours import AMBER
-from game.world.sand.world import World, check_bools
-from game.world.scenes.cell_arrays import EMPTY, painted_cells, parted, resampled, told_guesses, written_cells
+from game.world.sand.world import World, check_codes
+from game.world.scenes.cell_arrays import (
+    EMPTY,
+    painted_cells,
+    palette_of,
+    parted,
+    resampled,
+    told_guesses,
+    written_cells,
+)
 from game.world.scenes.fixture_tables import KEYS as FIXTURE_KEYS
 from game.world.scenes.fixture_tables import checked_number, read_fixture
 from game.world.scenes.hourglass_spec import Glass
@@ -30,7 +40,7 @@ ORDER = (  # as shown; others follow
 )
 SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
 SIDES = ("width", "height")
-CELLS = ("sand", "walls", "colours")  # the arrays of a Scene
+CELLS = ("cells", "colours")  # the arrays of a Scene
 KEYS = ("title", "notice", "height", "width", *SOURCES, TAP, DRAIN, "walls", "rule", "speed", "cell")
 
 _known = WeakValueDictionary()  # (shape, dtype, checksum): the cells of scenes that are still told of
@@ -42,13 +52,12 @@ class SceneError(FileError):
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """What a scene file describes. sand and walls: (H, W) bool, not writable, nowhere both."""
+    """What a scene file describes. cells: (H, W) uint8, not writable, codes of the materials of its rule."""
 
     name: str
     title: str
     notice: str  # what to look out for, in one sentence
-    sand: np.ndarray
-    walls: np.ndarray
+    cells: np.ndarray
     rule: Rule
     speed: float  # iterations per second
     cell: int  # pixels across one cell
@@ -63,14 +72,23 @@ class Scene:
     def __post_init__(self):
         for name in ("name", "title", "notice"):  # what files are called may hold any sign
             object.__setattr__(self, name, as_line(getattr(self, name)))
-        for name in ("sand", "walls"):
-            object.__setattr__(self, name, _shared(check_bools(getattr(self, name), name)))
+        object.__setattr__(self, "cells", _shared(check_codes(self.cells, self.rule.materials)))
         object.__setattr__(self, "colours", _shared(self.colours))
 
     @property
     def shape(self):
         """The lattice's (height, width) in cells."""
-        return self.sand.shape
+        return self.cells.shape
+
+    @property
+    def sand(self):
+        """Where sand is in a scene of sand: a new (H, W) bool array."""
+        return self.cells == SAND
+
+    @property
+    def walls(self):
+        """Where walls are: a new (H, W) bool array."""
+        return self.cells == self.rule.codes.wall
 
     @property
     def coloured(self):
@@ -84,7 +102,7 @@ class Scene:
 
     def world(self, seed=0):
         """Return a new World with the scene's cells, at iteration 0."""
-        world = World.from_cells(self.sand, self.walls, seed, self.colours)
+        world = World.of_codes(self.cells, self.rule.codes, seed, self.colours)
         world.fixtures = self.fixtures
         return world
 
@@ -119,22 +137,22 @@ def load_scene(name_or_path, size=None):
 def _scene(path, size):
     table = read_table(path)
     table.allow(KEYS)
-    rule = _rule(table.table("rule"))
+    rule = read_rule(table, path.parent) or _rule(table.table("rule"))
+    palette = palette_of(rule.definition)
     size = size and tuple(parameters.SIDE.check(side) for side in size)
-    drawn, problem = _drawn(table, path.parent)
+    drawn, problem = _drawn(table, path.parent, palette)
     own = tuple(table.number(each, parameters.SIDE) for each in SIDES) if drawn is None else drawn.shape[::-1]
-    scale = Scale(*own, *(size or own))
+    scale = Scale(*own, *(size or own), palette)
     if drawn is None:
-        cells, shapes = _painted(table, scale)
+        numbers, shapes = _painted(table, scale)
     else:
-        cells, shapes = resampled(drawn, scale.height, scale.width), []
-    sand, walls, colours = parted(cells)
+        numbers, shapes = resampled(drawn, scale.height, scale.width), []
+    cells, colours = parted(numbers, palette)
     return Scene(
         name=path.stem,
         title=table.line("title", path.stem),
         notice=table.line("notice", ""),
-        sand=sand,
-        walls=walls,
+        cells=cells,
         colours=colours,
         rule=rule,
         speed=table.number("speed", parameters.SPEED, parameters.SPEED.default),
@@ -173,7 +191,7 @@ def _path(name_or_path):
     return path
 
 
-def _drawn(table, folder):
+def _drawn(table, folder, palette):
     """Return the (H, W) uint8 materials that `table` spells cell by cell, in a text or a picture; None for neither.
 
     With them return what is odd about the picture, in one line, or None.
@@ -182,13 +200,13 @@ def _drawn(table, folder):
     if len(sources) > 1:
         raise table.error(sources[1], f"it beside {sources[0]}", f"only one of {', '.join(SOURCES)}")
     if sources == ["cells"]:
-        drawn = written_cells(table)
+        drawn = written_cells(table, palette)
         for key, side in zip(SIDES, drawn.shape[::-1], strict=True):
             if table.number(key, parameters.SIDE, side) != side:
                 raise table.error(key, table.values[key], f"{side} as in cells, or to leave it out")
         return drawn, None
     if sources == ["picture"]:
-        drawn, guessed = painted_cells(table, folder)
+        drawn, guessed = painted_cells(table, folder, palette)
         problem = told_guesses(folder / table.values["picture"], guessed, drawn.size)
         height, width = drawn.shape
         width, height = table.number("width", parameters.SIDE, width), table.number("height", parameters.SIDE, height)
@@ -215,14 +233,12 @@ def _fixtures(table, scale):
     for kind in (TAP, DRAIN):
         for each in table.tables(kind):
             each.allow(FIXTURE_KEYS[kind])
-            found.append(read_fixture(each, kind).scaled(scale.x, scale.y))
+            found.append(read_fixture(each, kind, scale.palette.codes).scaled(scale.x, scale.y))
     return checked_number(found, table, f"{TAP} and {DRAIN}")
 
 
 def _rule(table):
     """Return the Rule in the table [rule]: p and bias, or the toppling probabilities themselves; the rest as given."""
-    if "rule" in table:
-        raise table.error("rule", shown(table.values["rule"]), "no name: scenes play the rule of sand")
     table.allow(("p", "bias", *FIELDS))
     schedule = table.choice("schedule", tuple(SCHEDULES), Rule().schedule)
     if "p" in table or "bias" in table:

@@ -12,8 +12,9 @@ import numpy as np
 from game.core.planes import DEPTH
 from game.world.files.checked_table import shown
 from game.world.looks.themes import WALL_LOOKS
-from game.world.rules.rule import FIELDS, PROBABILITIES, SCHEDULES, Rule
+from game.world.rules.rule_json import decode_rule, encode_rule
 from game.world.sand import parameters
+from game.world.sand.material_codes import SAND
 from game.world.scenes import hourglass_spec
 from game.world.scenes.fixture_tables import read_fixtures
 from game.world.scenes.scene import Scene, load_scene, scene_names
@@ -23,7 +24,7 @@ EMBEDDED = (
     *("name", "title", "notice", "size", "cells", "colours", "walls", "rule", "speed", "cell"),
     *("fixtures", "glass", "neck"),
 )
-BESIDE_CELLS = [each.name for each in fields(Scene) if each.name not in ("sand", "walls", "colours", "problem")]
+BESIDE_CELLS = [each.name for each in fields(Scene) if each.name not in ("cells", "colours", "problem")]
 NECK = parameters.Knob("neck", 0, 0, parameters.SIDE.high, "", "the row in the middle of a glass", whole=True)
 
 
@@ -52,9 +53,9 @@ class KnownScenes(dict):
 
 def start_digest(scene):
     """Return 16 hex digits that name a scene's size, cells, rule and fixtures."""
-    digest = hashlib.blake2b(f"{scene.shape} {scene.rule.as_dict()} ".encode(), digest_size=8)
+    digest = hashlib.blake2b(f"{scene.shape} {encode_rule(scene.rule)} ".encode(), digest_size=8)
     digest.update("".join(f"{each} " for each in scene.fixtures).encode())
-    for cells in (scene.sand, scene.walls, *_bits(scene.colours)):
+    for cells in (*_bits(scene.cells, _depth(scene.rule)), *_bits(scene.colours, DEPTH)):
         digest.update(np.packbits(cells).tobytes())
     return digest.hexdigest()
 
@@ -79,10 +80,10 @@ def _spelled(scene, start):
         "title": scene.title,
         "notice": scene.notice,
         "size": size,
-        "cells": _packed((scene.sand, scene.walls)),
-        **({"colours": _packed(_bits(scene.colours))} if scene.colours is not None else {}),
+        "cells": _packed(_bits(scene.cells, _depth(scene.rule))),
+        **({"colours": _packed(_bits(scene.colours, DEPTH))} if scene.colours is not None else {}),
         "walls": scene.made_of,
-        "rule": scene.rule.as_dict(),
+        "rule": encode_rule(scene.rule),
         "speed": scene.speed,
         "cell": scene.cell,
         **({"fixtures": [each.as_dict() for each in scene.fixtures]} if scene.fixtures else {}),
@@ -105,15 +106,6 @@ def decode(table, known):
     scene = _embedded(table) if "cells" in table else _shipped(table)
     known[start_digest(scene)] = scene
     return scene
-
-
-def decode_rule(table):
-    """Return the Rule of sand that a CheckedTable spells out in full: worlds hold nothing else."""
-    if "rule" in table:
-        raise table.error("rule", shown(table.values["rule"]), "no name: the rule of sand, by its probabilities")
-    table.allow(FIELDS)
-    numbers = {each.name: table.number(each.name, each) for each in PROBABILITIES}
-    return Rule(**numbers, schedule=table.choice("schedule", tuple(SCHEDULES)))
 
 
 def _size(table):
@@ -142,18 +134,19 @@ def _load(name, size):
 def _embedded(table):
     table.allow(EMBEDDED)
     width, height = _size(table)
-    sand, walls = _unpacked(table, "cells", width, height, 2)
-    wanted = f"{width}×{height} cells that are sand or wall, not both"
-    if (sand & walls).any():
-        raise table.error("cells", "a cell that is both", wanted)
+    rule = decode_rule(table.table("rule"))
+    cells = _joined(_unpacked(table, "cells", width, height, _depth(rule)))
+    if cells.max() >= len(rule.materials):
+        wanted = f"{width}×{height} cells, each of one of {', '.join(rule.materials)}"
+        raise table.error("cells", f"code {cells.max()}, which no material has", wanted)
+    colours = _colours(table, cells) if "colours" in table and rule.codes.is_sand else None
     return Scene(
         name=table.line("name", "scene"),
         title=table.line("title", ""),
         notice=table.line("notice", ""),
-        sand=sand,
-        walls=walls,
-        colours=_colours(table, sand) if "colours" in table else None,
-        rule=decode_rule(table.table("rule")),
+        cells=cells,
+        colours=colours,
+        rule=rule,
         speed=table.number("speed", parameters.SPEED),
         cell=table.number("cell", parameters.CELL),
         made_of=table.choice("walls", WALL_LOOKS, WALL_LOOKS[0]),
@@ -163,19 +156,29 @@ def _embedded(table):
     )
 
 
-def _colours(table, sand):
+def _colours(table, cells):
     """Return the colours of the sand, uint8, that the record tells of."""
-    bits = _unpacked(table, "colours", *sand.shape[::-1], DEPTH)
-    colours = sum(plane.view(np.uint8) << bit for bit, plane in enumerate(bits)).astype(np.uint8)
-    if (colours[~sand] > 0).any():
+    colours = _joined(_unpacked(table, "colours", *cells.shape[::-1], DEPTH))
+    if (colours[cells != SAND] > 0).any():
         raise table.error("colours", "a colour where there is no sand", "colours of the sand in cells")
-    colours.flags.writeable = False
     return colours
 
 
-def _bits(colours):
-    """Return the bits of colours as (H, W) bool arrays, the lowest first; none where there are no colours."""
-    return () if colours is None else [(colours >> bit & 1).astype(bool) for bit in range(DEPTH)]
+def _depth(rule):
+    """Return how many bits a cell has."""
+    return rule.table.bits
+
+
+def _bits(numbers, depth):
+    """Return the bits of (H, W) uint8 numbers as bool arrays, the lowest first; none where there are no numbers."""
+    return () if numbers is None else [(numbers >> bit & 1).astype(bool) for bit in range(depth)]
+
+
+def _joined(bits):
+    """Return the (H, W) uint8 numbers, not writable, of bool arrays of their bits."""
+    numbers = sum(plane.view(np.uint8) << bit for bit, plane in enumerate(bits)).astype(np.uint8)
+    numbers.flags.writeable = False
+    return numbers
 
 
 def _packed(planes):

@@ -9,7 +9,7 @@ from game.world.sand.parameters import SIDE, Knob
 from game.world.sand.sand_colours import AMBER
 from game.world.sand.sand_colours import COLOURS as DYES
 from game.world.scenes import geometry
-from game.world.scenes.cell_arrays import EMPTY, MATERIALS, SAND, SANDS, WALL
+from game.world.scenes.cell_arrays import EMPTY, SAND, SAND_PALETTE, CellPalette
 from game.world.scenes.hourglass import CURVE, FILL, NECK, THICKNESS, hourglass
 from game.world.scenes.hourglass_spec import Glass
 
@@ -28,12 +28,13 @@ BAND = 128  # rows painted at a time: bounds the memory that painting takes on t
 
 @dataclass(frozen=True)
 class Scale:
-    """A scene's own size, and the size of the lattice that it is painted on, in cells."""
+    """A scene's own size, the size of the lattice that it is painted on, in cells, and what its cells can hold."""
 
     own_width: int
     own_height: int
     width: int
     height: int
+    palette: CellPalette = SAND_PALETTE
 
     @property
     def x(self):
@@ -48,10 +49,10 @@ class Scale:
 
 @dataclass(frozen=True)
 class Shape:
-    """A region that takes a material."""
+    """A region that takes a material or a colour."""
 
     region: geometry.Region
-    material: int
+    number: int  # of the CellPalette
     only_sand: bool  # leaves all but sand as it is
 
 
@@ -67,7 +68,7 @@ class HourglassShape:
     curve: float
     wall: float
     fill: float
-    material: int
+    number: int  # of the CellPalette
     table: CheckedTable  # that spells it, for what is found wrong as it is painted
 
     def box_on(self, scale):
@@ -96,7 +97,9 @@ def neck_of(shapes, scale):
 
 def glass_of(shapes, scale):
     """Return the Glass on a lattice that is all there is, in the middle of it and with amber sand; None for others."""
-    if len(shapes) != 1 or not isinstance(shapes[0], HourglassShape) or shapes[0].material != SAND:
+    if len(shapes) != 1 or not isinstance(shapes[0], HourglassShape) or shapes[0].number != SAND:
+        return None
+    if not scale.palette.codes.is_sand:
         return None
     left, top, right, bottom = shapes[0].box_on(scale)
     if (right, bottom) != (scale.width - left, scale.height - top):
@@ -150,26 +153,36 @@ def _moved(values, x, y):
 def _read_shape(table, scale):
     keys, read_region = KINDS[table.values["kind"]]
     table.allow(("kind", "material", "colour", *keys))
-    name = table.choice("material", (*MATERIALS, DYE))
-    if "colour" in table and name not in ("sand", DYE):
-        raise table.error("colour", f"it beside {name}", f"it only beside sand or {DYE}")
-    material = _sand(table) if name in ("sand", DYE) else MATERIALS[name]
-    return Shape(read_region(table, scale), material, only_sand=name == DYE)
+    palette = scale.palette
+    name = table.choice("material", (*palette.names, *([DYE] if palette.sands else [])))
+    if "colour" in table and (name not in ("sand", DYE) or not palette.sands):
+        wanted = f"it only beside sand or {DYE}" if palette.sands else "it only in a scene of the rule of sand"
+        raise table.error("colour", f"it beside {name}", wanted)
+    number = _sand(table, palette) if name in ("sand", DYE) and palette.sands else palette.number(name)
+    return Shape(read_region(table, scale), number, only_sand=name == DYE)
 
 
 def _read_hourglass(table, scale):
-    table.allow(("kind", *HOURGLASS, "colour"))
+    table.allow(("kind", *HOURGLASS, "colour" if scale.palette.sands else "material"))
     x, y, width, height = _box(table, scale)
     for key, low, size, most in (("width", x, width, scale.own_width), ("height", y, height, scale.own_height)):
         if low < 0 or low + size > most:
             raise table.error(key, f"{low:g} + {size:g}", f"a glass within the {most:g} cells of the scene")
     numbers = (table.number(each.name, each, each.default) for each in (NECK, CURVE, THICKNESS, FILL))
-    return HourglassShape(x, y, width, height, *numbers, _sand(table), table)
+    return HourglassShape(x, y, width, height, *numbers, _filling(table, scale.palette), table)
 
 
-def _sand(table):
-    """Return the material that is sand of the colour that the table names."""
-    return SANDS[DYES.index(table.choice("colour", DYES, AMBER))]
+def _filling(table, palette):
+    """Return the number of what a glass is filled with: sand of a colour, or a material of the rule."""
+    if palette.sands:
+        return _sand(table, palette)
+    names = [palette.names[code] for code in sorted(palette.codes.filled)]
+    return palette.number(table.choice("material", names, "sand" if "sand" in names else names[0]))
+
+
+def _sand(table, palette):
+    """Return the number of sand of the colour that the table names."""
+    return palette.sands[DYES.index(table.choice("colour", DYES, AMBER))]
 
 
 def _paint_region(cells, shape, scale):
@@ -184,7 +197,7 @@ def _paint_region(cells, shape, scale):
         with np.errstate(all="ignore"):  # between two points a hair apart, the slope is infinite, and that is right
             held = region.inside(x, y[:, None])
         part = cells[rows, left:right]
-        part[held & (part != EMPTY) & (part != WALL) if shape.only_sand else held] = shape.material
+        part[held & (part != EMPTY) & (part != scale.palette.wall) if shape.only_sand else held] = shape.number
 
 
 def _paint_hourglass(cells, shape, scale):
@@ -195,7 +208,7 @@ def _paint_hourglass(cells, shape, scale):
         found = f"{right - left}×{bottom - top} cells"
         raise shape.table.error("width", found, "at least 5×5 for an hourglass") from None
     box = cells[top:bottom, left:right]
-    box[sand], box[walls] = shape.material, WALL
+    box[sand], box[walls] = shape.number, scale.palette.wall
 
 
 def _rectangle(table, scale):

@@ -6,21 +6,21 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.core.paint.ink import ANY, EMPTY, GRAIN, WALL, Ink
+from game.core.paint.ink import ANY, Ink
 from game.core.paint.primitives import ELLIPSE, RECTANGLE
 from game.core.paint.strokes import DIAMOND, ROUND, SQUARE
 from game.world.rules.rule import Rule
 from game.world.sand.erasing import is_in_figure, is_under_brush
 from game.world.sand.grain_account import NO_GRAINS
+from game.world.sand.material_codes import EMPTY
 from game.world.sand.patch import Patch, alike
 from game.world.sand.sand_colours import AMBER, DYES
 from game.world.sand.world import World
-from game.world.scenes.hourglass_maker import pour
+from game.world.scenes.hourglass_maker import cells_of, pour
 from game.world.scenes.hourglass_spec import Glass
 from game.world.scenes.scene import Scene
 
-MATERIALS = {"erase": EMPTY, "sand": GRAIN, "wall": WALL}
-KINDS = {"empty": EMPTY, "sand": GRAIN, "wall": WALL}
+ERASE, EMPTY_CELLS = "erase", "empty"  # the names of air where it is painted, and where it is painted over
 SHAPES = {"round": ROUND, "square": SQUARE, "diamond": DIAMOND}
 USUAL_SHAPE = "round"
 FIGURES = {"rectangle": RECTANGLE, "ellipse": ELLIPSE}
@@ -28,15 +28,18 @@ FIGURES = {"rectangle": RECTANGLE, "ellipse": ELLIPSE}
 
 @dataclass(frozen=True, slots=True)
 class Paint:
-    """A stroke of the brush from one place to another: `start` and `end` are (column, row), in cells."""
+    """A stroke of the brush from one place to another: `start` and `end` are (column, row), in cells.
 
-    material: str  # a key of MATERIALS
+    A material that the world has not is not painted.
+    """
+
+    material: str  # its name, or ERASE
     start: tuple
     end: tuple
     diameter: int  # cells
     over_walls: bool = False
     shape: str = USUAL_SHAPE  # a key of SHAPES
-    only: str = ""  # a key of KINDS: no other cells change, and these do whether `over_walls` or not
+    only: str = ""  # a material or EMPTY_CELLS: no other cells change, and these do whether `over_walls` or not
     spray: int = 0  # 0, or a number that picks a few of the cells: the others stay
     colour: str = AMBER  # of sand: one of DYES
 
@@ -46,7 +49,7 @@ class Draw:
     """A figure between two places (column, row), in cells: those that hold its opposite corners."""
 
     figure: str  # a key of FIGURES
-    material: str  # a key of MATERIALS
+    material: str  # its name, or ERASE
     start: tuple
     end: tuple
     edge: int = 0  # cells drawn inwards from the outline; 0 for all
@@ -58,7 +61,7 @@ class Draw:
 class Fill:
     """Gives a material to the cell at a place (column, row), and to all that touch it through others of its kind."""
 
-    material: str  # a key of MATERIALS
+    material: str  # its name, or ERASE
     place: tuple
     colour: str = AMBER  # of sand: one of DYES
 
@@ -150,12 +153,12 @@ def perform(action, world, rule):
             before, world.fixtures = world.fixtures, action.fixtures
             return Applied(world, rule, NO_GRAINS, before != world.fixtures)
         case Clear():
-            grains = tuple(-each for each in world.grains_by_colour)
-            if any(grains):
+            before, anything = world.amounts, world.grains > 0
+            if anything:
                 world.clear()
-            return Applied(world, rule, grains, any(grains))
+            return Applied(world, rule, difference(world.amounts, before), anything)
         case SetRule():
-            return Applied(world, action.rule, NO_GRAINS, action.rule != rule)
+            return Applied(world.of(action.rule.codes), action.rule, NO_GRAINS, action.rule != rule)
         case Load():
             loaded, loaded_rule = action.scene.world(action.seed), action.scene.rule
             return Applied(loaded, loaded_rule, NO_GRAINS, loaded_rule != rule or not alike(world, loaded))
@@ -165,56 +168,75 @@ def perform(action, world, rule):
 def _paint(paint, world):
     """Return the tally of a stroke, and whether it changed anything."""
     start, end = snap(paint.start, paint.diameter), snap(paint.end, paint.diameter)
-    kinds = 1 << KINDS[paint.only] if paint.only else taken_by(paint.material, paint.over_walls)
+    ink = _ink(world, paint.material, paint.over_walls, paint.only, paint.spray, paint.colour)
+    if ink is None:
+        return NO_GRAINS, False
     shape, radius = SHAPES[paint.shape], paint.diameter / 2
     left, top, right, bottom = box(start, end)
     far = math.ceil(radius) + 1  # no cell that the brush reaches lies further from the ends
     before = Patch(world, (left - far, top - far, right + far, bottom + far))
     if paint.material == "erase" and not paint.only and not paint.spray:
         world.fixtures = tuple(each for each in world.fixtures if not is_under_brush(each, shape, start, end, radius))
-    grains = world.stroke(
-        start, end, paint.diameter, shape, Ink(MATERIALS[paint.material], kinds, paint.spray, dye(paint))
-    )
-    return grains, before.settle(world)
+    return world.stroke(start, end, paint.diameter, shape, ink), before.settle(world)
 
 
 def _draw(draw, world):
     """Return the tally of a figure, and whether it changed anything."""
     figure, cells = FIGURES[draw.figure], box(draw.start, draw.end)
+    ink = _ink(world, draw.material, draw.over_walls, colour=draw.colour)
+    if ink is None:
+        return NO_GRAINS, False
     before = Patch(world, cells)
     if draw.material == "erase" and not draw.edge:
         world.fixtures = tuple(each for each in world.fixtures if not is_in_figure(each, figure, cells))
-    ink = Ink(MATERIALS[draw.material], taken_by(draw.material, draw.over_walls), colour=dye(draw))
     return world.figure(figure, cells, draw.edge, ink), before.settle(world)
 
 
 def _fill(fill, world):
     """Return the tally of a fill, and whether it changed anything."""
-    place, ink = cell(fill.place), Ink(MATERIALS[fill.material], colour=dye(fill))
-    kind = world.kind_at(*place)
-    if kind is None or (kind == ink.material and not (kind == GRAIN and (world.coloured or ink.colour))):
+    place, ink = cell(fill.place), _ink(world, fill.material, over_walls=True, colour=fill.colour)
+    code = world.code_at(*place)
+    may_dye = world.codes.is_sand and ink is not None and (world.coloured or ink.colour)
+    if ink is None or code is None or (code == ink.code and not may_dye):
         return NO_GRAINS, False
     height, width = world.shape
-    before = Patch(world, (0, 0, width, height)) if kind == ink.material else None
+    before = Patch(world, (0, 0, width, height)) if code == ink.code else None
     grains = world.fill(*place, ink)
     return grains, before is None or before.settle(world)
 
 
-def dye(action):
-    """Return the number of the colour that an act gives to sand; RAINBOW is the one after the last."""
-    return DYES.index(action.colour)
+def _ink(world, material, over_walls=False, only="", spray=0, colour=AMBER):
+    """Return the ink of an act in a world, or None if it has not the material, or not the one painted over."""
+    code, taken = code_of(world.codes, material), taken_by(world.codes, material, over_walls)
+    if only:
+        taken = 1 << code_of(world.codes, only) if code_of(world.codes, only) is not None else 0
+    return None if code is None or not taken else Ink(code, taken, spray, DYES.index(colour))
+
+
+def code_of(codes, name):
+    """Return the code of a material among MaterialCodes, or of none; None if there is no such material."""
+    return EMPTY if name in (ERASE, EMPTY_CELLS) else codes.code(name)
+
+
+def difference(after, before):
+    """Return the tally of a change from one to another."""
+    return tuple(now - then for now, then in zip(after, before, strict=True))
 
 
 def _reshape(reshape, world):
-    sand, walls = reshape.glass.cells()
-    before, colours = world.grains_by_colour, None
+    before, codes = world.amounts, world.codes
+    cells, colours = cells_of(reshape.glass, codes), None
     if not reshape.refill:
-        grains = world.sand + world.colours if world.coloured else world.sand.view(np.uint8)
+        filled = np.isin(world.materials, sorted(codes.filled))
+        grains = (world.materials + world.colours) * filled
         poured, _ = pour(grains, reshape.glass.inside())
-        sand = poured > 0
-        colours = np.maximum(poured, 1) - 1 if world.coloured else None
-    world = world.within(sand, walls, colours)
-    return world, tuple(now - then for now, then in zip(world.grains_by_colour, before, strict=True))
+        walls = (cells == codes.wall) * np.uint8(codes.wall)
+        if world.coloured:
+            cells, colours = walls + (poured > 0), np.maximum(poured, 1) - 1
+        else:
+            cells = walls + poured
+    world = world.within(cells, colours)
+    return world, difference(world.amounts, before)
 
 
 def snap(place, diameter):
@@ -233,6 +255,6 @@ def box(start, end):
     return min(x0, x1), min(y0, y1), max(x0, x1) + 1, max(y0, y1) + 1
 
 
-def taken_by(material, over_walls):
-    """Return the kinds of cells that take a material, as bits: sand leaves walls standing unless `over_walls`."""
-    return ANY & ~(1 << WALL) if material == "sand" and not over_walls else ANY
+def taken_by(codes, material, over_walls):
+    """Return the codes of the cells that take a material, as bits: all but an eraser and walls leave walls standing."""
+    return ANY if over_walls or material in (ERASE, codes.names[codes.wall]) else ANY & ~(1 << codes.wall)

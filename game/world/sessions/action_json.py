@@ -6,6 +6,8 @@ from itertools import pairwise
 from typing import Any, NamedTuple
 
 from game.world.files.checked_table import CheckedTable, shown
+from game.world.rules.materials import NAME
+from game.world.rules.rule_json import decode_rule, encode_rule
 from game.world.sand import parameters
 from game.world.sand.parameters import Knob
 from game.world.sand.sand_colours import AMBER, DYES
@@ -13,8 +15,6 @@ from game.world.scenes import hourglass_spec, scene_json
 from game.world.scenes.fixture_tables import read_fixtures
 from game.world.sessions.action import (
     FIGURES,
-    KINDS,
-    MATERIALS,
     SHAPES,
     USUAL_SHAPE,
     Clear,
@@ -58,6 +58,13 @@ def _read_flag(table, key):
     return value
 
 
+def _read_material(table, key):
+    value = table.values.get(key, "")
+    if not isinstance(value, str) or not NAME.fullmatch(value):
+        raise table.error(key, shown(value), "the name of a material")
+    return value
+
+
 def _plain(key, read, default=ALWAYS):
     return Field(key, key, lambda table, known: read(table, key), lambda value, known: value, default)
 
@@ -78,14 +85,14 @@ def _flag(key):
     return _plain(key, _read_flag, False)
 
 
-MATERIAL, COLOUR, OVER_WALLS = _choice("material", MATERIALS), _choice("colour", DYES, AMBER), _flag("over_walls")
+MATERIAL, COLOUR, OVER_WALLS = _plain("material", _read_material), _choice("colour", DYES, AMBER), _flag("over_walls")
 FROM, TO = _place("from", "start"), _place("to", "end")
 BRUSH = (
     MATERIAL,
     _number("diameter", parameters.BRUSH),
     OVER_WALLS,
     _choice("shape", SHAPES, USUAL_SHAPE),
-    _choice("only", KINDS, ""),
+    _plain("only", _read_material, ""),
     _number("spray", SPRAY, 0),
     COLOUR,
 )
@@ -102,7 +109,7 @@ FIXTURES = Field(
     lambda fixtures, known: [each.as_dict() for each in fixtures],
 )
 RULE = Field(
-    "rule", "rule", lambda table, known: scene_json.decode_rule(table.table("rule")), lambda rule, known: rule.as_dict()
+    "rule", "rule", lambda table, known: decode_rule(table.table("rule")), lambda rule, known: encode_rule(rule)
 )
 SCENE = Field("scene", "scene", lambda table, known: scene_json.decode(table.table("scene"), known), scene_json.encode)
 ACTS = {  # what an entry is told to do: the act, and its fields in the order in which they are spelled

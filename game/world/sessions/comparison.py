@@ -175,12 +175,11 @@ def _part(budget_ns):
 def present(session):
     """Return the scene that starts as a session's world is now."""
     world, scene = session.world, session.scene
-    sand, walls = world.sand, world.walls
-    sand.flags.writeable = walls.flags.writeable = False
+    cells = world.materials
+    cells.flags.writeable = False
     return replace(
         scene,
-        sand=sand,
-        walls=walls,
+        cells=cells,
         colours=world.colours if world.coloured else None,
         rule=session.rule,
         fixtures=world.fixtures,

@@ -9,7 +9,7 @@ from game.world.sand.sand_colours import COLOURS
 from game.world.sessions.action import SetRule
 
 MOST = 1000  # samples kept: when there are more, every other one is dropped
-COLUMNS = (
+_COLUMNS = (
     "iteration",
     "seconds",
     "above_grains",
@@ -18,7 +18,6 @@ COLUMNS = (
     "pile_height_cells",
     "pile_slope_degrees",
     "slowest_frame_ms",
-    *(f"{colour}_grains" for colour in COLOURS),
 )
 PROFILE_COLUMNS = "column", "pile_height_cells"
 
@@ -34,7 +33,7 @@ class Measurement(NamedTuple):
     slope: float  # of its flanks, in degrees; NaN if it has none
     frame_ms: float  # the slowest frame since the sample before
     act: object  # the last act before
-    by_colour: tuple  # the grains of each colour
+    amounts: tuple  # the grains of each colour, or in another world the cells of each material
 
 
 class Measurements:
@@ -56,11 +55,9 @@ class Measurements:
         above, self.heights = grains_above(world, self.row), pile_heights(world, self.row)
         height, slope = int(self.heights.max()), slope_degrees(self.heights)
         act = session.timeline.history.latest(session.now)
-        by_colour = world.grains_by_colour
-        below = sum(by_colour) - above
-        self.samples.append(
-            Measurement(world.iteration, seconds, above, below, height, slope, frame_ms, act, by_colour)
-        )
+        amounts = world.amounts
+        below = world.grains - above
+        self.samples.append(Measurement(world.iteration, seconds, above, below, height, slope, frame_ms, act, amounts))
         if len(self.samples) > MOST:
             self.samples = _thinned(self.samples)
 
@@ -72,11 +69,18 @@ class Measurements:
                 flows[number] = (one.above - other.above) / (other.now - one.now)
         return flows
 
+    @property
+    def columns(self):
+        """What the numbers of a row are."""
+        codes = self.session.world.codes
+        if codes.is_sand:
+            return *_COLUMNS, *(f"{colour}_grains" for colour in COLOURS)
+        return *_COLUMNS, *(f"{name.replace(' ', '_')}_cells" for name in codes.names)
+
     def rows(self):
-        """Return the story as rows of numbers, as COLUMNS names them."""
+        """Return the story as rows of numbers, as `columns` names them."""
         return [
-            (*each[:4], flow, *each[4:7], *each.by_colour)
-            for each, flow in zip(self.samples, self.flows(), strict=True)
+            (*each[:4], flow, *each[4:7], *each.amounts) for each, flow in zip(self.samples, self.flows(), strict=True)
         ]
 
 

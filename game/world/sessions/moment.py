@@ -7,6 +7,7 @@ from game.world.rules.rule import Rule
 from game.world.sand.advance import NO_TRAFFIC, advance
 from game.world.sand.grain_account import GrainAccount
 from game.world.sand.patch import alike
+from game.world.sand.sand_colours import COLOURS
 from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import scene_of
 from game.world.scenes.scene import Scene
@@ -28,7 +29,7 @@ class Moment:
     def start(cls, scene, seed):
         """Return the first moment of a session."""
         world = scene.world(seed)
-        return cls(world, scene.rule, scene, GrainAccount(world.grains_by_colour))
+        return cls(world, scene.rule, scene, account_of(world, scene.rule))
 
     @property
     def now(self):
@@ -74,11 +75,19 @@ class Moment:
         """Return the scene and the account after an act."""
         if isinstance(action, Load):
             scene = self.scene if action.scene.is_like(self.scene) else action.scene
-            return scene, GrainAccount(outcome.world.grains_by_colour)
+            return scene, account_of(outcome.world, outcome.rule)
+        if outcome.rule.definition != self.rule.definition:
+            return self.scene, account_of(outcome.world, outcome.rule)
         scene = self.scene
         if isinstance(action, Reshape) and action.glass != scene.glass:
             scene = scene_of(action.glass, self.rule, scene.speed)
         return scene, self.account.booked(outcome.grains) if any(outcome.grains) else self.account
+
+
+def account_of(world, rule):
+    """Return the GrainAccount of a world from now on: each colour of sand is kept, and what a rule's books say."""
+    kinds = [(kind,) for kind in range(len(COLOURS))] if rule.codes.is_sand else rule.definition.kept
+    return GrainAccount(world.amounts, tuple(kinds))
 
 
 class Lookahead:

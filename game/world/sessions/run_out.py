@@ -6,7 +6,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from game.core.chance import threshold
-from game.core.planes import SAND, WALLS
 from game.world.sand.advance import advance
 from game.world.sand.ensemble import Cancelled
 from game.world.sand.fixtures import TAP
@@ -84,12 +83,18 @@ def first_moment(lookahead, end, reached):
 
 
 def at_rest(world, rule):
-    """Return whether nothing can move any more under `rule`: neither now nor by any chance it leaves."""
-    eager = rule.with_chances(**{name: _possible(p) for name, p in rule.chances.items()})
-    trial = world.copy()
+    """Return whether nothing can move any more under `rule`: neither now nor by any chance it leaves.
+
+    It is known of sand. Under another rule a world where something could happen, but by a chance of 0, counts as awake.
+    """
+    trial, eager = world.copy(), rule
     trial.fixtures = tuple(replace(each, every=1) for each in world.fixtures)
+    if rule.codes.is_sand:
+        eager = rule.with_chances(**{name: _possible(p) for name, p in rule.chances.items()})
     advance(trial, eager, len(rule.offsets))
-    return bool(np.array_equal(_sand(trial), _sand(world)))
+    if rule.codes.is_sand:
+        return bool(np.array_equal(_filled(trial), _filled(world)))
+    return trial.activity.settled
 
 
 def _possible(p):
@@ -98,13 +103,13 @@ def _possible(p):
 
 def _sign(neck):
     """Return a function of a world whose value changes whenever sand passes the neck or, without one, moves."""
-    return neck.grains_above if neck else lambda world: _sand(world).tobytes()
+    return neck.grains_above if neck else lambda world: _filled(world).tobytes()
 
 
-def _sand(world):
-    """Return the words of sand without the seams, which tell nothing."""
+def _filled(world):
+    """Return the words of all that is neither air nor wall without the seams, which tell nothing."""
     where = world.layout
-    rows = world.planes[SAND:WALLS, : where.rows * where.stride].reshape(WALLS - SAND, where.rows, where.stride)
+    rows = world.filled_planes[:, : where.rows * where.stride].reshape(4, where.rows, where.stride)
     return rows[:, :, : where.words]
 
 

@@ -14,7 +14,10 @@ LIKENESSES = 4  # how many of the newest different walls a new snapshot looks th
 class Snapshot:
     """A Moment at rest. What moves in the planes is copied, the walls are shared with snapshots that have the same."""
 
-    __slots__ = ("act", "fields", "fixtures", "layout", "moving", "now", "seed", "walls", "work_ns", "world_iteration")
+    __slots__ = (
+        *("act", "codes", "fields", "fixtures", "layout", "moving", "now", "seed", "walls", "work_ns"),
+        "world_iteration",
+    )
 
     def __init__(self, moment, act, known_walls=()):
         world = moment.world
@@ -22,9 +25,9 @@ class Snapshot:
         self.now, self.work_ns = moment.now, moment.work_ns
         self.fields = replace(moment, world=None)
         self.layout, self.world_iteration, self.seed = world.layout, world.iteration, world.seed
-        self.fixtures = world.fixtures
-        self.moving = np.delete(world.planes, slice(WALLS, PLANES), axis=0)
-        walls = world.planes[WALLS:PLANES]
+        self.fixtures, self.codes = world.fixtures, world.codes
+        still = slice(WALLS, PLANES if world.codes.is_sand else WALLS)
+        self.moving, walls = np.delete(world.planes, still, axis=0), world.planes[still]
         same = (known for known in known_walls if np.array_equal(known, walls))
         self.walls = next(same, None)
         if self.walls is None:
@@ -34,7 +37,8 @@ class Snapshot:
         """Return the moment kept, with a world of its own."""
         planes = empty(self.layout, len(self.moving) + len(self.walls))
         np.concatenate([self.moving[:WALLS], self.walls, self.moving[WALLS:]], out=planes)
-        return replace(self.fields, world=World(planes, self.layout, self.world_iteration, self.seed, self.fixtures))
+        world = World(planes, self.layout, self.codes, self.world_iteration, self.seed, self.fixtures)
+        return replace(self.fields, world=world)
 
 
 def nearest(act, now):

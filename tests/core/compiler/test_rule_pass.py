@@ -20,20 +20,13 @@ class Lattice:
     """Cells of a rule's codes as planes."""
 
     def __init__(self, codes, table):
-        self.table, self.where = table, bit_planes.layout(*codes.shape)
-        self.planes = bit_planes.empty(self.where, 4 * table.bits)
-        for bit in range(table.bits):
-            self.four(bit)[:] = np.uint64((2**64 - 1) * (table.outside >> bit & 1))
-            bit_planes.pack_cells((codes >> bit & 1).astype(np.uint8), self.four(bit), self.where.words)
+        self.table, self.where = table, bit_planes.layout(*codes.shape, table.codes, table.outside)
+        self.planes = bit_planes.pack(codes.astype(np.uint8), self.where)
         self.bands = ActiveBands(self.where)
-
-    def four(self, bit):
-        return self.planes[4 * bit : 4 * bit + 4]
 
     @property
     def codes(self):
-        bits = (bit_planes.unpack(self.planes, self.where, 4 * bit) for bit in range(self.table.bits))
-        return sum(cells.astype(int) << bit for bit, cells in enumerate(bits))
+        return bit_planes.unpack(self.planes, self.where).astype(int)
 
     def advance(self, moving, schedule, seed, iteration, iterations):
         offsets = np.roll(np.array(SCHEDULES[schedule]), -iteration, axis=0)

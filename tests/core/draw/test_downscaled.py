@@ -47,14 +47,14 @@ def test_a_pixel_mixes_what_numpy_counts_in_its_cells(shape, size, share, decora
     sand = (generator.random(shape) < share) & ~walls
     first, second = generator.random((2, *shape)) < 0.5
     colours = generator.integers(0, DYES, shape, np.uint8) if dyed else None
-    decor = pack(first, second)[:8] if decorated else NO_DECOR
     where, pixels = layout(*shape), np.full((size[0] + 3, size[1] + 4), 5, np.uint32)
+    decor = pack(first + 2 * second.view(np.uint8), where) if decorated else NO_DECOR
     rows, columns = edges(generator, shape[0], size[0]), edges(generator, shape[1], size[1])
     if shifted:
         columns = shift_edges((np.arange(size[1] + 1) * shape[1] // size[1]).astype(np.int32), where.words)
     lights = np.array([AIR, *PLAIN, *DECOR * decorated, *DYED * dyed], float)
-    counts = CountPass(SAND, where.words, decorated, DEPTH * dyed)
-    counts.draw(pack(sand, walls, colours), where, decor, columns, rows, lights, CHANNELS, pixels, 1, 2)
+    counts, cells = CountPass(SAND, where.words, decorated, DEPTH * dyed), sand + 2 * walls.view(np.uint8)
+    counts.draw(pack(cells, where, colours), where, decor, columns, rows, lights, CHANNELS, pixels, 1, 2)
     covered = np.zeros_like(sand)
     covered[1:] = (sand | walls)[:-1]
     kinds, air = [sand, sand & ~covered, walls], ~(sand | walls)
@@ -89,7 +89,7 @@ def test_a_pixel_may_hold_more_rows_than_a_byte_counts():
     sand = np.ones((rows[1], 3), bool)
     where, pixels = layout(*sand.shape), np.zeros((1, 1), np.uint32)
     lights = np.array([[0, 0, 0], [4000, 0, 800], [0, 4000, 0], [0, 0, 0]], float)
-    counts = CountPass(SAND, where.words, False, 0)
-    counts.draw(pack(sand, ~sand), where, NO_DECOR, columns, rows, lights, CHANNELS, pixels, 0, 0)
+    counts, cells = CountPass(SAND, where.words, False, 0), sand + 2 * (~sand).view(np.uint8)
+    counts.draw(pack(cells, where), where, NO_DECOR, columns, rows, lights, CHANNELS, pixels, 0, 0)
     lit = round(4000 / len(sand))
     assert pixels[0, 0] == CHANNELS[0, 4000] | CHANNELS[1, lit] | CHANNELS[2, 800]

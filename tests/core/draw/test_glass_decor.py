@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from game.core.draw.glass_decor import FREE, GLEAM, INSIDE, POST, WOOD, decor_of, decorate, places_of
-from game.core.planes import WALLS, layout, pack, unpack
+from game.core.planes import WALL, WALLS, layout, pack, unpack
 from game.world.scenes.scene import load_scene, scene_names
 
 
@@ -63,8 +63,8 @@ def test_an_hourglass_has_two_caps_two_posts_a_room_and_its_gleam(size):
 def test_decor_planes_hold_what_decorates_each_cell():
     walls = np.random.default_rng(3).random((37, 150)) < 0.4
     where = layout(*walls.shape)
-    planes = decor_of(pack(np.zeros_like(walls), walls)[WALLS : WALLS + 4], where)
-    found = sum(unpack(planes, where, 4 * bit).astype(int) << bit for bit in range(2))
+    planes = decor_of(pack(walls * np.uint8(WALL), where)[WALLS : WALLS + 4], where)
+    found = unpack(planes, where)
     assert (found == places_of(walls)).all()
 
 

@@ -11,7 +11,7 @@ from game.core.compiler.rule_pass import pass_of
 from game.core.ensemble import runs as core
 from game.core.ensemble.runs import advance_replicas, count_replicas, read_states
 from game.world.rules.rule import SCHEDULES
-from game.world.sand.sand_codes import SAND, WALL
+from game.world.sand.material_codes import SAND, WALL
 from tests import reference
 from tests.cells import NAMES, random_world, world_of
 

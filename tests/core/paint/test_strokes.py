@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import World
-from game.core.paint.ink import ANY, EMPTY, GRAIN, RAINBOW, WALL, Ink
+from game.core.paint.ink import ANY, EMPTY, RAINBOW, SAND, WALL, Ink
 from game.core.paint.primitives import ELLIPSE, RECTANGLE
 from game.core.paint.strokes import DIAMOND, ROUND, SQUARE
 from tests.cells import random_world
@@ -19,8 +19,8 @@ places = st.tuples(st.floats(-6, WIDTH + 6), st.floats(-6, HEIGHT + 6))
 columns, rows = st.integers(-5, WIDTH + 5), st.integers(-5, HEIGHT + 5)
 inks = st.builds(
     Ink,
-    material=st.sampled_from((EMPTY, GRAIN, WALL)),
-    kinds=st.integers(0, ANY),
+    code=st.sampled_from((EMPTY, SAND, WALL)),
+    taken=st.integers(0, ANY),
     spray=st.integers(0, 2),
     colour=st.integers(0, RAINBOW),
 )
@@ -37,7 +37,7 @@ def strewn(number=0):
 
 
 def kinds_of(world):
-    return np.where(world.walls, WALL, np.where(world.sand, GRAIN, EMPTY))
+    return np.where(world.walls, WALL, np.where(world.sand, SAND, EMPTY))
 
 
 def empty():
@@ -107,10 +107,10 @@ def test_a_fill_reaches_what_is_connected_side_by_side(number, column, row, crow
 def test_a_fill_reaches_the_end_of_a_corridor_however_long(length):
     for start in (0, length // 2, length - 1):
         world = World.from_cells(*np.zeros((2, 1, length), bool))
-        world.fill(start, 0, Ink(GRAIN))
+        world.fill(start, 0, Ink(SAND))
         assert world.grains == length
         world = World.from_cells(*np.zeros((2, length, 1), bool))
-        world.fill(0, start, Ink(GRAIN))
+        world.fill(0, start, Ink(SAND))
         assert world.grains == length
 
 
@@ -121,16 +121,16 @@ def test_only_the_kinds_named_take_the_ink(ink, start, end):
     change = sum(world.stroke(start, end, 9, ROUND, ink))
     after = kinds_of(world)
     reached = reached_by(lambda world, full: world.stroke(start, end, 9, ROUND, full))
-    takes = reached & (ink.kinds >> before & 1).astype(bool)
+    takes = reached & (ink.taken >> before & 1).astype(bool)
     assert (after[~takes] == before[~takes]).all()
-    assert (after[takes] == ink.material).all() or ink.spray
-    assert change == (after == GRAIN).sum() - (before == GRAIN).sum() == world.grains - strewn().grains
+    assert (after[takes] == ink.code).all() or ink.spray
+    assert change == (after == SAND).sum() - (before == SAND).sum() == world.grains - strewn().grains
 
 
 def test_a_spray_picks_the_same_few_cells_for_a_number_and_others_for_another():
     def sprayed(number):
         world = empty()
-        world.stroke((70.0, 11.0), (70.0, 11.0), 100, SQUARE, Ink(GRAIN, ANY, number))
+        world.stroke((70.0, 11.0), (70.0, 11.0), 100, SQUARE, Ink(SAND, ANY, number))
         return world.sand
 
     area, together = 100 * HEIGHT, np.zeros((HEIGHT, WIDTH), bool)
@@ -142,7 +142,7 @@ def test_a_spray_picks_the_same_few_cells_for_a_number_and_others_for_another():
     assert together.sum() > 0.98 * area
 
 
-@pytest.mark.parametrize("material", [EMPTY, GRAIN, WALL])
+@pytest.mark.parametrize("material", [EMPTY, SAND, WALL])
 def test_walls_painted_are_walls_to_the_sand_that_falls_on_them(material):
     """Walls for odd x are a copy: what is painted must be what from_cells would have made."""
     world = strewn(3)

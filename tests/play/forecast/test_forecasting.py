@@ -69,7 +69,7 @@ def is_current(player, answer):
         about.scene,
         about.rule,
         about.ahead,
-    ) == present and answer.request.start == session.world.iteration
+    ) == present and answer.request.crop.iteration == session.world.iteration
 
 
 class Stuck(ForecastThread):
@@ -79,11 +79,11 @@ class Stuck(ForecastThread):
         self.free = threading.Event()
         super().__init__(self._runs)
 
-    def _runs(self, sand, walls, rule, ahead, runs, seed, start, cancelled, fixtures):
+    def _runs(self, world, rule, ahead, runs, of, cancelled):
         while not self.free.wait(0.002):
             if cancelled():
                 raise Cancelled
-        yield runs, np.where(walls, 0, runs).astype(np.int64)
+        yield runs, np.where(world.walls, 0, runs).astype(np.int64)
 
 
 @pytest.fixture
@@ -105,7 +105,8 @@ class Scripted:
 
     def tell(self, request, runs):
         """Answer that sand is where it was in half of the runs."""
-        sand, walls = request.crop.cells
+        world = request.crop.world()
+        sand, walls = world.sand, world.walls
         self.answer = forecast_of(request, walls, sand * np.int64(runs // 2), runs)
 
     def close(self):
@@ -135,7 +136,7 @@ def test_h_lays_over_the_sand_what_so_many_runs_say(paper):
     paper.frame(elapsed_ns=0)
     bare, sand_view.heatmap = pixels_of(paper), heatmap
     world, ahead = paper.world, paper.parts.forecasting.ahead
-    expected = counts_at(world.sand, world.walls, Rule.with_p(0.5), [ahead], 10_000, world.seed, world.iteration)[0]
+    expected = counts_at(world, Rule.with_p(0.5), [ahead], 10_000)[0]
     assert (answer.counts == expected).all()
     paper.parts.display.refresh()
     paper.frame(elapsed_ns=0)
@@ -242,8 +243,7 @@ def test_whatever_is_done_to_the_world_is_another_question(paper, act):
     paper.session.do(act)
     second = see_forecast(paper)
     assert (second.counts != first.counts).any()
-    sand, walls, world = paper.world.sand, paper.world.walls, paper.world
-    expected = counts_at(sand, walls, paper.session.rule, [200], 10_000, world.seed, world.iteration)[0]
+    expected = counts_at(paper.world, paper.session.rule, [200], 10_000)[0]
     assert (second.counts == expected).all()
 
 

@@ -23,7 +23,7 @@ def stroke(player, row=20):
 def test_sand_is_painted_in_the_colour_chosen(still, colour):
     still.parts.brush.dip(colour)
     stroke(still)
-    counts = still.world.grains_by_colour
+    counts = still.world.amounts
     found = {number for number, grains in enumerate(counts) if grains}
     assert len(found) > 5 if colour == RAINBOW else found == {COLOURS.index(colour)}
     assert still.world.coloured == (colour != "amber")
@@ -59,11 +59,11 @@ def test_painting_over_sand_dyes_it_and_the_books_say_so(still):
     grains = still.world.grains
     still.parts.brush.dip("rose")
     stroke(still)
-    assert still.world.grains == grains == still.world.grains_by_colour[2]
+    assert still.world.grains == grains == still.world.amounts[2]
     account = still.session.account
-    assert account.balanced(still.world) and account.erased_by_colour[0] == grains
+    assert account.balanced(still.world) and account.erased_by_kind[0] == grains
     still.key(pygame.K_z, mod=pygame.KMOD_CTRL)
-    assert still.world.grains_by_colour[0] == grains
+    assert still.world.amounts[0] == grains
     still.key(pygame.K_c, "c")
     assert not still.world.coloured
 

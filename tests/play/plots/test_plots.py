@@ -13,9 +13,7 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.theme import Theme
 from game.play.window.layout import WindowLayout
-from game.world.sand.grain_account import GrainAccount
 from game.world.sessions.action import Clear, Paint
-from game.world.sessions.measurements import COLUMNS
 from tests.play.player import Player
 
 
@@ -79,7 +77,7 @@ def test_the_tables_are_saved_with_a_header(glass, own_folder, monkeypatch):
     glass.settle()
     story, profile = sorted((own_folder / "measures").glob("*.csv"), key=lambda path: len(path.name))
     rows = list(csv.reader(story.open(newline="")))
-    assert tuple(rows[0]) == COLUMNS and len(rows) > 3
+    assert tuple(rows[0]) == glass.parts.plots.measurements.columns and len(rows) > 3
     assert all(int(row[2]) + int(row[3]) == glass.world.grains for row in rows[1:])
     assert len(list(csv.reader(profile.open(newline="")))) == glass.world.shape[1] + 1
 
@@ -148,8 +146,12 @@ def coloured(size, scale, factor):
     player.hold_time()
     player.session.do(Paint("erase", (40.0, 30.0), (120.0, 70.0), 9))
     account = player.session.account
-    tallies = {field.name: tuple(factor * each for each in getattr(account, field.name)) for field in fields(account)}
-    player.session.timeline.moment.account = GrainAccount(**tallies)
+    tallies = {
+        field.name: tuple(factor * each for each in getattr(account, field.name))
+        for field in fields(account)
+        if field.name != "kept"
+    }
+    player.session.timeline.moment.account = replace(account, **tallies)
     player.wait(40)
     samples = player.parts.plots.measurements.samples
     samples[:] = [each._replace(frame_ms=9.0) for each in samples]  # on whatever machine
@@ -193,7 +195,7 @@ def test_each_colour_has_a_row_that_adds_up(player):
     for colour in ("indigo", "amber", "rose"):
         player.session.do(Paint("sand", (20.0, 50.0), (90.0, 50.0), 9, colour=colour))
     player.session.do(Paint("erase", (30.0, 50.0), (60.0, 50.0), 5))
-    rows, now = player.session.account.rows, player.world.grains_by_colour
+    rows, now = player.session.account.rows, player.world.amounts
     assert [row[0] for row in rows] == [0, 2, 4]
     for number, start, painted, erased, poured, swallowed, left in rows:
         assert start + painted - erased + poured - swallowed == left == now[number]
@@ -214,7 +216,7 @@ def test_grains_that_changed_their_colour_alone_are_noticed(player):
     player.key(pygame.K_l, "l")
     player.session.do(Paint("sand", (20.0, 50.0), (90.0, 50.0), 9, colour="indigo"))
     account = player.session.account
-    swapped = replace(account, painted_by_colour=account.painted_by_colour[::-1])
+    swapped = replace(account, painted_by_kind=account.painted_by_kind[::-1])
     player.session.timeline.moment.account = swapped
     player.wait(20)
     assert "but in other colours" in [text for _, text, _ in written(player)]

@@ -32,12 +32,12 @@ def toppled(source, iterations, seed=1, p=0.5):
 def test_without_chance_the_plain_kernel_moves_sand_as_the_toy_does(source, schedule):
     scene = load_scene("paper")
     counts, _ = run_cheaply(scene.sand, scene.walls, 1.0, SCHEDULES[schedule], 200, 1, source, 1)
-    assert (counts == density(scene.sand, scene.walls, Rule(schedule=schedule), 200, 1)).all()
+    assert (counts == density(scene.world(), Rule(schedule=schedule), 200, 1)).all()
 
 
 def test_with_fresh_draws_it_agrees_with_the_toy_and_with_fixed_noise_it_does_not():
     scene, many = load_scene("paper"), 2**16
-    reference = density(scene.sand, scene.walls, Rule.with_p(0.7, "balanced"), 200, many)
+    reference = density(scene.world(), Rule.with_p(0.7, "balanced"), 200, many)
     floor = floor_of(reference, RUNS, many)
     rms = {}
     for source in (FRESH, FROZEN):

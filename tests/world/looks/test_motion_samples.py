@@ -8,7 +8,7 @@ from game.core.draw.cells import TEXTURE
 from game.core.draw.glass_decor import decor_of
 from game.core.draw.looks import AIR, GLEAM, INSIDE, POST, SURFACE, dyed
 from game.core.draw.motion_blur import SAMPLES
-from game.core.planes import WALLS, unpack
+from game.core.planes import unpack
 from game.world.looks.colour_space import blends, channels, linear
 from game.world.looks.motion_samples import FROM_SPEED, MotionSamples
 from game.world.looks.painter import Painter, texture
@@ -66,10 +66,7 @@ def test_moving_cells_show_the_mean_of_a_cycle_and_others_what_they_are(shape, w
     for _ in range(8):
         share = run_with_colours(world, streams, 5, last)[-SAMPLES:].mean(axis=0)
         moving = (share > 0) & (share < 1)
-        places = sum(
-            unpack(decor_of(world.planes[WALLS : WALLS + 4], world.layout), world.layout, 4 * bit) << bit
-            for bit in range(2)
-        )
+        places = unpack(decor_of(world.wall_planes, world.layout), world.layout)
         grounds = np.array([AIR, INSIDE, GLEAM, POST] if walls == "glass" else [AIR] * 4)[places]
         y, x = np.mgrid[0 : shape[0], 0 : shape[1]] % TEXTURE
         light = linear(components(palette(NIGHT, walls)) / 255)

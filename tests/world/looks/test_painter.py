@@ -14,7 +14,7 @@ from game.world.looks import colour_space
 from game.world.looks.painter import Painter, texture
 from game.world.looks.themes import DAY, NIGHT, palette
 from game.world.looks.view import View
-from game.world.sessions.action import MATERIALS, Flip, Paint, apply
+from game.world.sessions.action import Flip, Paint, apply
 from tests.cells import coloured, grains_over_a_pile_below_a_band, random_world
 from tests.looks import looks_of
 
@@ -133,7 +133,7 @@ def test_what_is_drawn_piece_by_piece_is_the_whole_picture(size, cell):
         advance(world, rule, int(generator.integers(0, 60)))
         if number % 7 == 0:
             row = float(generator.integers(1400))
-            material = list(MATERIALS)[generator.integers(3)]
+            material = ("erase", "sand", "wall")[generator.integers(3)]
             apply(Paint(material, (150.5, row + 0.5), (160.5, row + 0.5), 3, over_walls=True), world, rule)
         drawn += sum(bottom - top for top, bottom in painter.draw(world, pixels))
         whole = np.zeros_like(pixels)

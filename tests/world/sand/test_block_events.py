@@ -3,14 +3,13 @@
 import numpy as np
 import pytest
 
-from game import Rule, advance
+from game import Rule, World, advance, load_rule
+from game.core.rule_table import corners, state_of
 from game.world.rules.rule import SCHEDULES
-from game.world.sand.block_events import MOVES, coming_events, happened, offset
+from game.world.sand.block_events import CORNERS, coming_events, happened, moves_between, offset
 from game.world.sand.crop import CropBox
 from tests import reference
 from tests.cells import NAMES, random_world, rows_of
-
-CORNERS = ((0, 0), (0, 1), (1, 0), (1, 1))
 
 
 def twins_events(world, rule):
@@ -37,33 +36,48 @@ def test_every_block_is_said_to_do_what_the_twin_does(schedule, shape):
         rule = Rule(*generator.choice([0.0, 0.25, 0.6, 1.0], len(NAMES)), schedule)
         world = random_world(generator, *shape)
         advance(world, rule, iteration)
-        cells, wanted = rows_of(world), twins_events(world, rule)
+        wanted = twins_events(world, rule)
         events = coming_events(world, rule, CropBox(0, 0, *shape))
-        for row, column, move, chance in zip(*(each.tolist() for each in events), strict=True):
-            block = {
-                place: cells[row + place[0]][column + place[1]]
-                for place in CORNERS
-                if _is_in(row, column, place, shape)
-            }
-            for start, end in MOVES[move]:
-                block[start], block[end] = ".", "o"
-            corners, p = wanted.pop((row, column))
-            assert all(corners[CORNERS.index(place)] == cell for place, cell in block.items()) and chance == p
+        for row, column, _, after, chance in zip(*(each.tolist() for each in events), strict=True):
+            block, p = wanted.pop((row, column))
+            assert "".join(".o#"[code] for code in corners(after, 2)) == "".join(block) and chance == p
         assert not wanted
 
 
-def _is_in(row, column, place, shape):
-    return 0 <= row + place[0] < shape[0] and 0 <= column + place[1] < shape[1]
+def after(events, world):
+    """Return the world after events, each of which happens."""
+    cells = np.pad(world.materials, 1)
+    for row, column, state in zip(events.rows, events.columns, events.after.tolist(), strict=True):
+        for (down, across), code in zip(CORNERS, corners(state, world.layout.bits), strict=True):
+            cells[row + down + 1, column + across + 1] = code
+    return world.within(np.ascontiguousarray(cells[1:-1, 1:-1]))
+
+
+def test_what_moves_in_a_block_comes_from_where_it_was_and_what_becomes_is_marked():
+    fall, topple, pair = ("o...", "..o."), ("o.o.", "..oo"), ("oo..", "..oo")
+    states = [[state_of([".o#".index(cell) for cell in block], 2) for block in each] for each in (fall, topple, pair)]
+    told = [moves_between(*each, 2) for each in states]
+    assert told[0] == (((0, 0), (1, 0)),) and told[1] == (((0, 0), (1, 1)),)
+    assert told[2] == (((0, 0), (1, 0)), ((0, 1), (1, 1)))
+    assert moves_between(state_of((1, 2, 0, 0), 2), state_of((2, 2, 0, 0), 2), 2) == (((0, 0), (0, 0)),)
+
+
+@pytest.mark.parametrize("name", ["water-and-oil", "alchemy", "three-sands"])
+def test_blocks_of_any_rule_do_one_of_the_things_said_or_nothing(name):
+    rule, generator = load_rule(name), np.random.default_rng(5)
+    world = World.from_materials(generator.integers(0, len(rule.materials), (21, 34), np.uint8), rule)
+    for _ in range(8):
+        part = CropBox(0, 0, *world.shape)
+        before, events = world.copy(), coming_events(world, rule, part)
+        advance(world, rule, 1)
+        assert (after(events.only(happened(events, world, part)), before).materials == world.materials).all()
 
 
 def test_where_nothing_is_left_to_chance_the_step_does_what_was_said():
     world = random_world(np.random.default_rng(2), 41, 66)
     for _ in range(12):
-        sand = world.sand
         events = coming_events(world, Rule(), CropBox(0, 0, *world.shape))
-        for row, column, move in zip(events.rows, events.columns, events.moves, strict=True):
-            for start, end in MOVES[move]:
-                sand[row + start[0], column + start[1]], sand[row + end[0], column + end[1]] = False, True
+        sand = after(events, world).sand
         advance(world, Rule(), 1)
         assert (world.sand == sand).all() and happened(events, world, CropBox(0, 0, *world.shape)).all()
 
@@ -71,14 +85,11 @@ def test_where_nothing_is_left_to_chance_the_step_does_what_was_said():
 def test_what_chance_refused_has_not_happened():
     world, rule = random_world(np.random.default_rng(3), 60, 60), Rule.with_p(0.5)
     part = CropBox(0, 0, *world.shape)
-    before, events = world.sand, coming_events(world, rule, part)
+    before, events = world.copy(), coming_events(world, rule, part)
     advance(world, rule, 1)
     done = happened(events, world, part)
     assert (events.chances[~done] < 1).all() and 0 < (~done).sum() < (events.chances < 1).sum()
-    for row, column, move in zip(*events.only(done)[:3], strict=True):
-        for start, end in MOVES[move]:
-            before[row + start[0], column + start[1]], before[row + end[0], column + end[1]] = False, True
-    assert (before == world.sand).all()
+    assert (after(events.only(done), before).sand == world.sand).all()
 
 
 def test_a_part_knows_what_the_whole_knows_of_it():

@@ -131,7 +131,7 @@ def test_a_tap_pours_sand_of_its_colour_and_the_books_tell_of_it(colour):
     world, account = session.world, session.account
     number = COLOURS.index(colour)
     assert world.coloured == (colour != "amber") and set(world.colours[world.sand].tolist()) == {number}
-    assert account.poured_by_colour[number] == account.poured > account.swallowed_by_colour[number] > 0
+    assert account.poured_by_kind[number] == account.poured > account.swallowed_by_kind[number] > 0
     assert account.balanced(world)
 
 

@@ -125,11 +125,11 @@ def test_another_glass_keeps_the_pace():
 def test_every_colour_is_poured_as_it_was():
     session = Session(load_scene("hourglass"), 1)
     session.do(Paint("sand", (60.0, 60.0), (110.0, 60.0), 30, colour="indigo"))
-    before = session.world.grains_by_colour
+    before = session.world.amounts
     for height in (200, 260, 181):
         session.timeline.run(100)
         session.do(Reshape(resized(session.scene.glass, height)))
-        assert session.world.grains_by_colour == before and session.account.balanced(session.world)
+        assert session.world.amounts == before and session.account.balanced(session.world)
 
 
 def test_a_glass_survives_a_session_file(tmp_path):

@@ -16,7 +16,7 @@ from game.world.files import atomic
 from game.world.sand.sand_colours import COLOURS as NAMES
 from game.world.sand.sand_colours import DYED
 from game.world.scenes import picture_pixels
-from game.world.scenes.cell_arrays import COLOURS
+from game.world.scenes.cell_arrays import SAND_PALETTE
 from game.world.scenes.picture_file import (
     Photo,
     PictureError,
@@ -67,7 +67,7 @@ def test_a_picture_shows_the_cells_and_the_colours_of_the_sand(tmp_path):
     world = SCENES[1].world()
     pixels = np.asarray(Image.open(saved(tmp_path)).convert("RGB"))
     dyed = np.array(list(DYED.values()), np.uint8)[world.colours]
-    plain = np.array(COLOURS, np.uint8)[np.where(world.walls, 2, 0)]
+    plain = np.array(SAND_PALETTE.colours, np.uint8)[np.where(world.walls, 2, 0)]
     assert (pixels == np.where(world.sand[..., None], dyed, plain)).all()
 
 
@@ -189,7 +189,7 @@ def test_a_scene_whose_palette_was_put_in_another_order_is_the_same(tmp_path):
     with Image.open(path) as picture:
         text = PngInfo()
         text.add_text(CHUNK, picture.info[CHUNK])
-        order = list(range(len(COLOURS)))[::-1]
+        order = list(range(len(SAND_PALETTE.colours)))[::-1]
         picture.remap_palette(order).save(tmp_path / "other.png", pnginfo=text)
     scene, _ = load_picture(tmp_path / "other.png")
     assert (scene.sand == SCENES[1].sand).all() and (scene.walls == SCENES[1].walls).all()
@@ -228,7 +228,7 @@ def test_whatever_a_photo_is_called_sessions_and_pictures_of_it_can_be_read(tmp_
 
 @pytest.mark.parametrize(("strange", "kind"), [(0.01, "cells"), (0.04, "a photo"), (0.3, "a photo")])
 def test_a_picture_is_cells_only_if_nearly_all_pixels_have_their_colours(tmp_path, strange, kind):
-    pixels = np.full((100, 100, 3), COLOURS[0], np.uint8)
+    pixels = np.full((100, 100, 3), SAND_PALETTE.colours[0], np.uint8)
     pixels[: round(100 * strange)] = 255, 0, 255
     Image.fromarray(pixels).save(tmp_path / "some.png")
     assert isinstance(open_picture(tmp_path / "some.png"), Photo) == (kind == "a photo")
@@ -291,7 +291,7 @@ def test_cells_that_a_lossy_copy_leaves_in_doubt_are_counted_and_told():
     whole, copy = (open_picture(DATA / f"saved-rainbow{end}").scene for end in (".png", "-95.jpg"))
     wrong = (whole.sand != copy.sand) | (whole.walls != copy.walls)
     assert wrong.any() and whole.problem is None
-    assert "found 936 of 43,200 cells in no colour of sand, wall or air: the nearest was guessed" in copy.problem
+    assert "found 936 of 43,200 cells in no material's colour: the nearest was guessed" in copy.problem
 
 
 def deep_png(path, levels, kind, clear=None, orientation=1):

@@ -11,14 +11,16 @@ from PIL import Image
 
 from game.world.files import checked_table
 from game.world.files.paths import asset
+from game.world.rules.definition import rule_names
 from game.world.rules.rule import Rule
 from game.world.sand.advance import advance
 from game.world.sand.fixtures import MOST
-from game.world.scenes.cell_arrays import COLOURS
+from game.world.scenes.cell_arrays import SAND_PALETTE
 from game.world.scenes.scene import SceneError, load_scene, scene_names, scene_title
 
 steady = settings(derandomize=True, deadline=None)
 SIZE = "width = 6\nheight = 4\n"
+NAMED = f"wanted one of {', '.join(rule_names())}, or the name of a rule file beside the scene, without .toml"
 
 
 def loaded(folder, text, size=None):
@@ -163,14 +165,14 @@ def test_cells_may_be_written(tmp_path):
 
 
 def test_cells_may_be_a_picture(tmp_path):
-    picture = np.array([[COLOURS[0], (250, 180, 90)], [COLOURS[2], (0, 0, 0)]], np.uint8)
+    picture = np.array([[SAND_PALETTE.colours[0], (250, 180, 90)], [SAND_PALETTE.colours[2], (0, 0, 0)]], np.uint8)
     Image.fromarray(picture).save(tmp_path / "some.png")
     assert drawn(loaded(tmp_path, 'picture = "some.png"')) == [".o", "#."]
     assert drawn(loaded(tmp_path, 'picture = "some.png"\nwidth = 4\nheight = 2')) == ["..oo", "##.."]
 
 
 def test_what_is_clear_in_a_picture_is_empty(tmp_path):
-    picture = np.array([[(*COLOURS[1], 0), (*COLOURS[1], 255)]], np.uint8)
+    picture = np.array([[(*SAND_PALETTE.colours[1], 0), (*SAND_PALETTE.colours[1], 255)]], np.uint8)
     Image.fromarray(picture).save(tmp_path / "some.png")
     assert drawn(loaded(tmp_path, 'picture = "some.png"')) == [".o"]
 
@@ -210,7 +212,7 @@ def test_a_thin_wall_survives_on_a_coarser_lattice(tmp_path, kind):
 def test_cells_of_a_scene_cannot_be_written_to():
     scene = load_scene("blank")
     with pytest.raises(ValueError, match="read-only"):
-        scene.sand[0, 0] = True
+        scene.cells[0, 0] = 1
 
 
 # --- the rule ---
@@ -271,7 +273,8 @@ PICTURE = "a PNG, GIF, BMP, JPEG, WEBP of at most 67108864 pixels and 16384 a si
         (f"{SIZE}title = 3", "title: found 3, wanted one line of text, at most 200 characters"),
         (f'{SIZE}title = "a\\nb"', "title: found 'a\\nb', wanted one line of text, at most 200 characters"),
         (f"{SIZE}rule = 3", "rule: found 3, wanted a table [rule]"),
-        (f"{SIZE}[rule]\nrule = 'alchemy'", "rule.rule: found 'alchemy', wanted no name: scenes play the rule of sand"),
+        (f"{SIZE}[rule]\nrule = 'alchemy'", "rule.rule: found an unknown key, wanted schedule"),
+        (f"rule = 'gold'\n{SIZE}", "rule.name: found 'gold', " + NAMED),
         (f"{SIZE}[rule]\np = 1.5", "rule.p: found 1.5, wanted in [0, 1]"),
         (f"{SIZE}[rule]\nbias = -2", "rule.bias: found -2, wanted in [-1, 1]"),
         (f"{SIZE}[rule]\nfall_pair = -inf", "rule.fall_pair: found -inf, wanted in [0, 1]"),
@@ -441,7 +444,7 @@ def test_damaged_bytes_raise_scene_error_or_load(tmp_path, at, damage):
 
 def test_a_scene_loaded_again_shares_its_cells():
     one, other = load_scene("rainbow"), load_scene("rainbow")
-    assert one.sand is other.sand and one.walls is other.walls and one.colours is other.colours
+    assert one.cells is other.cells and one.colours is other.colours
 
 
 def test_no_scene_has_more_fixtures_than_a_session_can_tell_of(tmp_path):

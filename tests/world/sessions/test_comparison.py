@@ -115,7 +115,7 @@ def test_the_present_is_a_scene_that_starts_where_a_session_is():
 def test_coloured_sand_is_compared_as_it_lies_now():
     session = Session(load_scene("rainbow"), 1)
     session.timeline.run(60)
-    assert present(session).world(1).grains_by_colour == session.world.grains_by_colour
+    assert present(session).world(1).amounts == session.world.amounts
 
 
 def test_a_limit_of_memory_holds_for_the_pasts_of_all_worlds():

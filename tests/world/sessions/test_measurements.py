@@ -11,7 +11,7 @@ from game import Rule, load_scene
 from game.world.sand.measure import grains_above, pile_heights, slope_degrees
 from game.world.sessions import measurements
 from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule
-from game.world.sessions.measurements import COLUMNS, Measurements
+from game.world.sessions.measurements import Measurements
 from game.world.sessions.session import Session
 
 
@@ -32,10 +32,10 @@ def test_the_rows_of_the_table_are_the_measures(glass):
         flow = math.nan if before is None else (before - above) / 37
         slope = slope_degrees(heights)
         row = session.now, number / 4, above, session.world.grains - above, flow, heights.max(), slope, 2.5
-        expected.append((*row, *session.world.grains_by_colour))
+        expected.append((*row, *session.world.amounts))
         before = above
-    found = list(csv.reader(io.StringIO(measurements.csv(COLUMNS, one.rows()).decode(), newline="")))
-    assert tuple(found[0]) == COLUMNS and len(found) == 21
+    found = list(csv.reader(io.StringIO(measurements.csv(one.columns, one.rows()).decode(), newline="")))
+    assert tuple(found[0]) == one.columns and len(found) == 21
     numbers = [[float(text) if text else math.nan for text in row] for row in found[1:]]
     assert np.allclose(numbers, expected, rtol=1e-5, equal_nan=True)
     assert sum(row[4] * 37 for row in expected[1:]) == expected[0][2] - expected[-1][2]
