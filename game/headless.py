@@ -8,6 +8,7 @@ import numpy as np
 
 from game.world.background.kernel_warmup import steps
 from game.world.looks.painter import Painter
+from game.world.looks.themes import substances_of
 from game.world.looks.view import View
 from game.world.rules.rule import Rule
 from game.world.sand import parameters
@@ -28,7 +29,11 @@ def run(scene, frames=parameters.FRAMES.default, p=None, seed=0):
     for _, act in steps(session.rule, scene.made_of, scene.cell, scene.coloured, scene.fixtures):
         act()
     height, width = (side * scene.cell for side in scene.shape)
-    painter = Painter(View.fit(scene.shape, 0, 0, width, height), walls=scene.made_of)
+    painter = Painter(
+        View.fit(scene.shape, 0, 0, width, height),
+        walls=scene.made_of,
+        substances=substances_of(scene.rule.definition.materials),
+    )
     pixels = np.zeros((height, width), np.uint32)
     grains = session.world.grains
     times = [_frame(session, painter, pixels, flip=number == frames // 2) for number in range(frames)]

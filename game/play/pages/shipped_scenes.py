@@ -7,6 +7,7 @@ import numpy as np
 import pygame
 
 from game.world.looks import painter
+from game.world.looks.themes import substances_of
 from game.world.looks.view import View
 from game.world.sand.advance import advance
 from game.world.scenes.scene import load_scene, scene_names, scene_title
@@ -119,6 +120,7 @@ class Life:
             colours,
             scene.made_of,
             lambda red, green, blue: red | green << 8 | blue << 16,
+            substances=substances_of(scene.rule.definition.materials),
         )
         self._surface = pygame.image.frombuffer(self._pixels, (width, height), "RGBX")
         advance(self._world, scene.rule, 1)  # compiles what is not compiled yet, here and not in a frame

@@ -5,6 +5,7 @@ import pygame
 
 from game.play.ui.card import Card
 from game.world.looks import painter
+from game.world.looks.themes import substances_of
 from game.world.looks.view import View
 from game.world.scenes.picture_file import THRESHOLD
 
@@ -82,7 +83,9 @@ def _sprite(scene, size, colours):
     world = scene.world()
     view = View.fit(scene.shape, 0, 0, *size)
     pixels = np.zeros((view.top * 2 + view.height, view.left * 2 + view.width), np.uint32)
-    painter.Painter(view, colours, scene.made_of).draw(world, pixels)
+    painter.Painter(view, colours, scene.made_of, substances=substances_of(scene.rule.definition.materials)).draw(
+        world, pixels
+    )
     part = np.ascontiguousarray(pixels[view.top : view.top + view.height, view.left : view.left + view.width])
     rgb = part.view(np.uint8).reshape(*part.shape, 4)[..., 2::-1]
     return pygame.image.frombuffer(rgb.tobytes(), part.shape[::-1], "RGB")

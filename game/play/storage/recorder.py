@@ -11,7 +11,7 @@ import pygame
 from game.play.storage.gif_writer import GifWriter
 from game.world.files.paths import new_name, save_new
 from game.world.looks import painter as picture
-from game.world.looks.themes import NIGHT, palette
+from game.world.looks.themes import NIGHT, SAND, palette, substances_of
 from game.world.looks.view import View
 from game.world.sessions.moment import Lookahead, Moment
 from game.world.sessions.snapshots import nearest
@@ -128,8 +128,9 @@ class Recorder:
             self._share = number / count
 
     def _looks(self):
-        """Return the colours of the theme, and what the walls are made of."""
-        return self._display.colours, self._sessions.now.scene.made_of
+        """Return the colours of the theme, what the walls are made of, and what the cells can hold."""
+        session = self._sessions.now
+        return self._display.colours, session.scene.made_of, substances_of(session.rule.definition.materials)
 
     def _forget_share(self):
         self._share = None
@@ -146,15 +147,17 @@ class Recorder:
 class Film:
     """Turns worlds of one shape into frames: (h, w) uint8 indices into a palette of the sand's few colours."""
 
-    def __init__(self, shape, cell, colours=NIGHT, walls="stone"):
+    def __init__(self, shape, cell, colours=NIGHT, walls="stone", substances=SAND):
         height, width = self.shape = shape
         scale = min(cell, LARGEST_GIF[0] / width, LARGEST_GIF[1] / height)
         scale = int(scale) if scale >= 1 else scale
         size = max(1, round(height * scale)), max(1, round(width * scale))
-        self.colours = _rgb(palette(colours, walls).reshape(1, -1)).tobytes()  # the palette of a GIF
+        self.colours = _rgb(
+            palette(colours, walls, substances=substances).reshape(1, -1)
+        ).tobytes()  # the palette of a GIF
         places = itertools.count()
         view = View(shape, 0, 0, *size[::-1])
-        self._painter = picture.Painter(view, colours, walls, lambda *_: next(places), mixes=False)
+        self._painter = picture.Painter(view, colours, walls, lambda *_: next(places), False, substances)
         self._pixels = np.zeros(size, np.uint32)
 
     def frame(self, world):
@@ -169,7 +172,7 @@ def _image_of(surface):
     return Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))
 
 
-def image_of_sand(world, scale, colours, walls, streams=None):
+def image_of_sand(world, scale, colours, walls, substances=SAND, streams=None):
     """Return an image of a world, `scale` pixels to a cell, drawn in bands for the sake of memory.
 
     streams: the MotionSamples of the world, if falling sand is drawn by them.
@@ -177,7 +180,7 @@ def image_of_sand(world, scale, colours, walls, streams=None):
     from PIL import Image
 
     height, width = (side * scale for side in world.shape)
-    painter = picture.Painter(View(world.shape, 0, 0, width, height), colours, walls)
+    painter = picture.Painter(View(world.shape, 0, 0, width, height), colours, walls, substances=substances)
     image = Image.new("RGB", (width, height))
     for top in range(0, height, max(1, BAND // width)):
         pixels = np.empty((min(max(1, BAND // width), height - top), width), np.uint32)

@@ -64,13 +64,13 @@ class ComparisonView:
     def blocks(self, blocks):
         self._lead.blocks = blocks
 
-    def fit(self, shape, area, margin, theme, walls):
+    def fit(self, shape, area, margin, theme, walls, substances):
         """Show lattices of `shape` beside or below one another in `area`, whichever leaves larger cells."""
         self._theme, high, gap = theme, theme.px(TITLE), theme.px(GAP)
         ways = [_split(area, len(self._views), across, high, gap) for across in (True, False)]
         rects = max(ways, key=lambda rects: min(rects[0].height / shape[0], rects[0].width / shape[1]))
         for (schedule, pane), rect in zip(self._views.items(), rects, strict=True):
-            pane.fit(shape, rect, margin, theme, walls)
+            pane.fit(shape, rect, margin, theme, walls, substances)
             self._titles[schedule] = pygame.Rect(rect.x, rect.y - high, rect.width, high)
         lead = self._lead.area
         self._shifts = {each: (s.area.x - lead.x, s.area.y - lead.y) for each, s in self._views.items()}

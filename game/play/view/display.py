@@ -9,7 +9,7 @@ from game.play.view.comparison_view import ComparisonView
 from game.play.view.sand_view import SandView
 from game.play.view.turn_animation import TurnAnimation
 from game.play.window.layout import MARGIN, WindowLayout, fitting_scale
-from game.world.looks.themes import THEMES
+from game.world.looks.themes import THEMES, substances_of
 from game.world.looks.view import View
 from game.world.sessions.comparison import Comparison
 
@@ -25,7 +25,7 @@ class LatticeView(Protocol):
     heatmap: object  # the HeatmapOverlay over the leading lattice, or None
     blocks: object  # the BlockOverlay over it, or None
 
-    def fit(self, shape, area, margin, theme, walls):
+    def fit(self, shape, area, margin, theme, walls, substances):
         """Show lattices of `shape` in `area` of the window."""
 
     def show(self, view):
@@ -82,8 +82,9 @@ class Display:
     def fit(self, session):
         """Lay everything out for a session's worlds, if anything about that has changed; return whether it had."""
         shape, walls = session.world.shape, session.scene.made_of
+        substances = substances_of(session.rule.definition.materials)
         cards = ("legend",) * self.legend_shown + ("figures",) * self.figures_shown
-        looks = session, self.window.size, shape, walls, self.colours, self._settings["ui_scale"], cards
+        looks = session, self.window.size, shape, walls, substances, self.colours, self._settings["ui_scale"], cards
         if looks == self._looks:
             return False
         self._looks = looks
@@ -93,7 +94,7 @@ class Display:
         if session is not self._session:
             self._session = session
             self.sand_view = self._sand_view_of(session)
-        self.sand_view.fit(shape, self.layout.sand, self.theme.px(MARGIN), self.theme, walls)
+        self.sand_view.fit(shape, self.layout.sand, self.theme.px(MARGIN), self.theme, walls, substances)
         return True
 
     def _sand_view_of(self, session):

@@ -20,13 +20,16 @@ class SandView:
         self._covered = ()  # the rects that the overlay covers
         self._bare = True  # nothing has been drawn yet
 
-    def fit(self, shape, area, margin, theme, walls):
-        """Show a lattice of `shape` in `area` of the window, with a margin in pixels, its walls made of `walls`."""
+    def fit(self, shape, area, margin, theme, walls, substances):
+        """Show a lattice of `shape` in `area` of the window, with a margin in pixels.
+
+        walls: what they are made of. substances: what the cells can hold, for a Painter.
+        """
         self._theme = theme
         self.area = pygame.Rect(area)
         self._inner = self.area.inflate(-2 * margin, -2 * margin)
         self.view = self.whole = View.fit(shape, *self._inner)
-        self._painter = painter.Painter(self.view, theme.colours, walls, self.window.map_rgb)
+        self._painter = painter.Painter(self.view, theme.colours, walls, self.window.map_rgb, substances=substances)
         self.refresh()
 
     @property

@@ -104,7 +104,7 @@ def steps_to_play(rule, walls, cell=1, coloured=False, fixtures=()):
     `kernel_warmup` says what they are. While the cache is new, a worker compiles all but the kernels that move sand.
     """
     own, later = kernel_warmup.moving_steps(rule, coloured, fixtures), kernel_warmup.later_steps(rule)
-    drawing, worker = kernel_warmup.drawing_steps(walls, cell), None
+    drawing, worker = kernel_warmup.drawing_steps(rule, walls, cell), None
     if jit.NEW and not getattr(sys, "frozen", False):
         worker = CompileWorker(_compile, rule, walls, cell)
         drawing, later = worker.beside(drawing), worker.beside(later)
@@ -112,6 +112,6 @@ def steps_to_play(rule, walls, cell=1, coloured=False, fixtures=()):
 
 
 def _compile(tell, rule, walls, cell):
-    for what, act in (*kernel_warmup.drawing_steps(walls, cell), *kernel_warmup.later_steps(rule)):
+    for what, act in (*kernel_warmup.drawing_steps(rule, walls, cell), *kernel_warmup.later_steps(rule)):
         act()
         tell.send(what)

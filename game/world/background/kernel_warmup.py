@@ -9,6 +9,7 @@ from game.world.background.forecast_thread import ForecastRequest, forecast_of
 from game.world.looks.heatmap_colours import cover
 from game.world.looks.motion_samples import MotionSamples
 from game.world.looks.painter import Painter, rgb
+from game.world.looks.themes import substances_of
 from game.world.looks.view import View
 from game.world.rules.rule import Rule
 from game.world.sand import fixtures as fixture
@@ -16,7 +17,6 @@ from game.world.sand.advance import advance
 from game.world.sand.crop import Crop, CropBox
 from game.world.sand.ensemble import growing_counts
 from game.world.sand.fixtures import DRAIN, TAP, Fixture
-from game.world.sand.material_codes import SAND_CODES
 from game.world.sand.measure import pile_heights
 from game.world.sand.world import World
 from game.world.sessions.action import Draw, Fill, Paint, Turn, apply
@@ -40,7 +40,7 @@ def steps(rule, walls, cell=1, coloured=False, fixtures=()):
     walls: what they are made of. cell: pixels to a cell. coloured: whether the sand has colours. fixtures: its
     taps and drains.
     """
-    return moving_steps(rule, coloured, fixtures) + drawing_steps(walls, cell)
+    return moving_steps(rule, coloured, fixtures) + drawing_steps(rule, walls, cell)
 
 
 def moving_steps(rule, coloured=False, fixtures=()):
@@ -48,13 +48,13 @@ def moving_steps(rule, coloured=False, fixtures=()):
     return [
         *([("taps and drains", lambda: _flow(coloured))] if fixtures else []),
         ("the layout of the cells", lambda: (_dot(coloured).sand, _dot(coloured).flip())),
-        (_kind_of(rule), lambda: advance(_dot(coloured), rule, 1)),
+        (_kind_of(rule), lambda: advance(_dot(coloured, rule), rule, 1)),
     ]
 
 
-def drawing_steps(walls, cell=1):
+def drawing_steps(rule, walls, cell=1):
     """Return the steps of `steps` that draw."""
-    return [("drawing", lambda: _draw(walls, cell))]
+    return [("drawing", lambda: _draw(rule, walls, cell))]
 
 
 def later_steps(rule):
@@ -65,12 +65,12 @@ def later_steps(rule):
         ("the turn of the glass", _turn),
         ("the figures", _figures),
         ("the eraser of fixtures", _eraser),
-        *(("drawing glass", lambda cell=cell: _draw("glass", cell)) for cell in CELLS),
+        *(("drawing glass", lambda cell=cell: _draw(Rule(), "glass", cell)) for cell in CELLS),
         ("the forecast", _forecast),
         ("the measures", lambda: pile_heights(_dot())),
         ("the names of worlds", lambda: World.from_cells(*np.zeros((2, 66, 2), bool)).digest()),  # of two bands
         ("the books of colours", lambda: _dot(coloured=True).amounts),
-        *((f"{what} of colours", act) for what, act in moving_steps(rule, coloured=True)),
+        *((f"{what} of colours", act) for what, act in moving_steps(Rule(), coloured=True)),
         ("the brush of colours", lambda: _brush(coloured=True)),
         ("figures of colours", lambda: _figures(coloured=True)),
     ] + [
@@ -80,8 +80,10 @@ def later_steps(rule):
     ]
 
 
-def _dot(coloured=False):
+def _dot(coloured=False, rule=None):
     """Return a world of a few cells, made when asked for, since making one compiles the layout."""
+    if rule is not None and not rule.codes.is_sand:
+        return World.from_materials(np.eye(2, dtype=np.uint8), rule)
     sand = np.eye(2, dtype=bool)
     sand.flags.writeable = False  # as those of scenes
     walls = sand & False
@@ -89,21 +91,22 @@ def _dot(coloured=False):
     return World.from_cells(sand, walls, colours=sand.astype(np.uint8) if coloured else None)
 
 
-def _bare():
+def _bare(codes):
     """Return a world of 8×8 empty cells, made without compiling the layout."""
-    where = planes.layout(8, 8)
-    bits = planes.empty(where, planes.PLANES)
+    where = planes.layout(8, 8, len(codes.names), codes.wall)
+    bits = planes.empty(where, 4 * where.bits)
     bits[:] = 0
-    return World(bits, where, SAND_CODES, 0, 0)
+    return World(bits, where, codes, 0, 0)
 
 
-def _draw(walls, cell):
-    world, streams = _bare(), MotionSamples()
+def _draw(rule, walls, cell):
+    substances = substances_of(rule.definition.materials)
+    world, streams = _bare(rule.codes), MotionSamples(substances)
     for _ in range(2):
         world.iteration += 1
         streams.note(world)
     side = max(1, 8 * min(cell, 1))  # more pixels than cells are drawn as one pixel for each is
-    painter = Painter(View(world.shape, 0, 0, side, side), walls=walls)
+    painter = Painter(View(world.shape, 0, 0, side, side), walls=walls, substances=substances)
     painter.draw(world, np.zeros((8, 8), np.uint32), streams=streams)
 
 
@@ -144,6 +147,8 @@ def _forecast():
 
 
 def _kind_of(rule):
+    if not rule.codes.is_sand:
+        return f"the rule of {rule.definition.title}"
     if all(p == 1.0 for p in rule.probabilities):
         return "sand that always moves"
     if all(p == 1.0 for p in rule.probabilities[2:]):

@@ -123,6 +123,7 @@ class Colours(NamedTuple):
         return tuple((dark + light) / 2 for dark, light in zip(*self.dye(number)[look], strict=True))
 
 
+@lru_cache(maxsize=32)
 def substances_of(materials):
     """Return the Substances of a rule's materials, by code: each has a name, a kind (its class) and a colour.
 

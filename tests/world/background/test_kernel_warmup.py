@@ -5,6 +5,7 @@ import sys
 
 import pytest
 
+from game import Rule
 from game.world.background import kernel_warmup
 
 SCRIPT = """
@@ -51,5 +52,5 @@ def test_no_kernel_is_compiled_inside_a_frame():
 
 @pytest.mark.parametrize("cell", [1 / 1000, 1 / 17, 0.4, 1, 20])
 def test_drawing_is_made_ready_however_small_cells_are(cell):
-    for _, act in kernel_warmup.drawing_steps("stone", cell):
+    for _, act in kernel_warmup.drawing_steps(Rule(), "stone", cell):
         act()
