@@ -12,7 +12,7 @@ _STAY = (0, 1, 2, 3)
 _FAR = ((0, 3, 1, 2), (3, 0, 2, 1), (1, 2, 0, 3), (2, 1, 3, 0))  # down or up 1, across 2, aside 3
 
 
-class Flip(NamedTuple):
+class Invert(NamedTuple):
     """Some bits of a corner's code are inverted."""
 
     corner: int
@@ -36,7 +36,7 @@ class Become(NamedTuple):
 class Effect(NamedTuple):
     """What one outcome does."""
 
-    parts: tuple  # of Flip, Copy and Become; a corner without one stays
+    parts: tuple  # of Invert, Copy and Become; a corner without one stays
     sources: tuple  # for each corner the one whose content it takes, itself where nothing is known to have moved
     odd: tuple  # corners for which none of the parts will do
 
@@ -62,7 +62,7 @@ def _part(before, after, corner, sources):
     old, new = before[corner], after[corner]
     is_new_one = (new == new[0]).all()
     if (old ^ new == old[0] ^ new[0]).all():
-        return Flip(corner, int(old[0] ^ new[0]))
+        return Invert(corner, int(old[0] ^ new[0]))
     if (before[sources[corner]] == new).all():
         return Copy(corner, sources[corner])
     if is_new_one:

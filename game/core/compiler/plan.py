@@ -7,7 +7,7 @@ import numpy as np
 
 from game.core.compiler.circuit import FALSE, TRUE, Circuit
 from game.core.compiler.cover import Covers
-from game.core.compiler.effects import Become, Copy, Flip, effect_of, flipped, moves_of
+from game.core.compiler.effects import Become, Copy, Invert, effect_of, flipped, moves_of
 from game.core.compiler.shared_ors import shared_ors
 from game.core.rule_table import CERTAIN, state_of
 
@@ -113,7 +113,7 @@ def _keys(piece, level, kinds, bits):
     if level < len(piece.outcomes):
         after, effect = piece.outcomes[level]
         for part in effect.parts:
-            if isinstance(part, Flip):
+            if isinstance(part, Invert):
                 yield from (("flip", part.corner, number) for number in range(bits) if part.bits >> number & 1)
             else:
                 yield type(part).__name__, *part

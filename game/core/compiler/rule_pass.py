@@ -49,7 +49,7 @@ def pass_of(table, probabilities, payload=0, most_lanes=None):
     return Pass(made.code, chances, outside, changing, table.outside, edges, made.lanes)
 
 
-class _Compiled(NamedTuple):
+class _CompiledRule(NamedTuple):
     plan: Plan
     code: MachineCode
     lanes: int
@@ -62,7 +62,7 @@ def _compiled(table, kinds, payload, most_lanes):
     for at_once in dict.fromkeys((most_lanes, 1)):
         code = MachineCode(source(gates, at_once, payload), NAME)
         if self_check.agrees(code.address, table, gates, dict(kinds), payload, at_once):
-            return _Compiled(gates, code, at_once)
+            return _CompiledRule(gates, code, at_once)
     raise RuntimeError(f"the code made for this rule moves blocks otherwise than its table says: {machine()}")
 
 

@@ -3,6 +3,7 @@
 import pygame
 import pytest
 
+from game.core.draw.looks import GRAIN
 from game.world.files.settings import Settings
 from game.world.looks.themes import THEMES
 from tests.play.player import Player
@@ -21,7 +22,7 @@ def test_a_theme_colours_the_sand_and_the_panel_at_once(glass, name):
     assert corner(glass) == colours.ground
     column, row = glass.world.shape[1] // 2, 80
     assert glass.world.sand[row, column]
-    dark, light = colours.sand[4]
+    dark, light = colours.sand[GRAIN]
     assert dark <= tuple(surface.get_at(glass.pixel(column, row)))[:3] <= light
     assert tuple(surface.get_at((glass.parts.display.layout.panel.right - 1, 5)))[:3] == colours.panel["ground"]
     assert ui.theme.colours is glass.parts.display.theme.colours is colours
