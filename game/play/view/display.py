@@ -50,7 +50,7 @@ class Display:
     def __init__(self, window, settings, measured_row):
         """`measured_row()` returns the row above which a comparison counts the grains that are left."""
         self.window, self._settings, self._measured_row = window, settings, measured_row
-        self.theme = look.Theme(settings["ui_scale"], self.colours)
+        self.theme = look.theme_of(settings["ui_scale"], self.colours)
         self.layout = None
         self.sand_view: LatticeView = SandView(window)
         self.panel_shown = True
