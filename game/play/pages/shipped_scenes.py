@@ -119,7 +119,7 @@ class Life:
             View.fit(scene.shape, 0, 0, width, height),
             colours,
             scene.made_of,
-            lambda red, green, blue: red | green << 8 | blue << 16,
+            rgbx,
             substances=substances_of(scene.rule.definition.materials),
         )
         self._surface = pygame.image.frombuffer(self._pixels, (width, height), "RGBX")
@@ -145,6 +145,11 @@ class Life:
     def _start(self):
         self._world = self.scene.world(1)
         self._now_s, self._age_s, self._due = None, 0.0, 0.0
+
+
+def rgbx(red, green, blue):
+    """Return the pixel value whose bytes are red, green, blue and one more; one function, so that paints are kept."""
+    return red | green << 8 | blue << 16
 
 
 def fitting(size, room):
