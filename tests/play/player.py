@@ -1,6 +1,5 @@
 """A player at the window: hands that press keys and buttons, under the dummy video driver."""
 
-import time
 from unittest import mock
 
 import pygame
@@ -11,6 +10,7 @@ from game.play.window.window import Window
 from game.world.scenes.scene import load_scene
 
 FRAME_NS = 16_666_667
+WAIT_MS = 20  # at most, from frame to frame, for what the background does
 
 
 class Player:
@@ -62,7 +62,8 @@ class Player:
         """Play frames in which no time passes until the background has nothing left to do."""
         self.frame(elapsed_ns=0)
         while self.parts.background.busy:
-            time.sleep(0.002)
+            pygame.event.wait(WAIT_MS)  # work that is done posts an event
+            pygame.event.clear()
             self.frame(elapsed_ns=0)
 
     def button(self, kind, pos, button=1):

@@ -2,12 +2,22 @@
 
 import threading
 import time
+from functools import cache
 
 import numpy as np
 import pygame
 import pytest
 
+from game.play.pages import shipped_scenes
 from game.world.scenes.scene import load_scene, scene_names
+
+kept_scene = cache(load_scene)
+
+
+@pytest.fixture(autouse=True)
+def kept_scenes(monkeypatch):
+    """Draw the cells of every shipped scene once, not for every test."""
+    monkeypatch.setattr(shipped_scenes, "load_scene", kept_scene)
 
 
 def looked_at(player):

@@ -56,7 +56,8 @@ class Waiting(Player):
     def run_out(self, frame_s=FRAME_S):
         for _ in range(3000):
             self.pass_time(1e-9, frame_s)
-            self.plan()
+            if self.parts.background.busy:
+                self.plan()
             if self.timer.state != RUNNING:
                 return
         pytest.fail(f"{self.timer.gone_s} s have gone, wanted {self.timer.wanted_s}")
