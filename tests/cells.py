@@ -1,4 +1,4 @@
-"""Small worlds as rows of characters: '.' empty, 'o' sand, '#' wall."""
+"""Small worlds as rows of characters: '.' empty, 'o' sand, '#' wall; or strewn at random."""
 
 import numpy as np
 
@@ -25,6 +25,14 @@ def random_world(generator, height, width, seed=0, sand=0.4, walls=0.2):
     """Return a World with sand and walls strewn at random."""
     wall_cells = generator.random((height, width)) < walls
     return World.from_cells((generator.random((height, width)) < sand) & ~wall_cells, wall_cells, seed)
+
+
+def strewn(rule, number, height, width, lumps=1):
+    """Return a World with all materials of a rule strewn at random, in squares of so many cells."""
+    shape = -(-height // lumps), -(-width // lumps)
+    codes = np.random.default_rng(number).integers(0, len(rule.materials), shape, np.uint8)
+    cells = codes.repeat(lumps, axis=0).repeat(lumps, axis=1)[:height, :width]
+    return World.from_materials(cells, rule, seed=number)
 
 
 def coloured(world, generator):

@@ -11,7 +11,7 @@ from game.world.rules.rule import SCHEDULES
 from game.world.sand import ensemble as forecast
 from game.world.sand.ensemble import Cancelled, counts_at, states_at
 from game.world.sand.fixtures import Fixture
-from tests.cells import random_world, world_of
+from tests.cells import random_world, strewn, world_of
 
 SEVEN = Rule(0.9, 0.2, 0.7, 0.55, 0.35, 0.618, 0.15, "balanced")
 PILE = world_of(["..oooo...", "..oooo...", "#.oooo..#", "#.oo#....", ".........", "....#...."])
@@ -218,6 +218,25 @@ def test_taps_and_drains_act_in_every_run(rule):
         mean += single.sand / alone
     assert np.abs(found - mean).max() < (1e-9 if rule.p == 1.0 else 0.16)
     assert found[:, 3:8].any() and (found[world.walls] == 0).all()
+
+
+@pytest.mark.parametrize(("name", "of"), [("water-and-oil", "water"), ("alchemy", "water"), ("rolling-sand", "sand")])
+def test_runs_of_any_rule_agree_with_single_worlds_within_error_bars(name, of):
+    rule, alone, runs = load_rule(name), 300, 4000
+    world = strewn(rule, 6, 20, 26, lumps=2)
+    world.fixtures = Fixture("tap", 3, 2, 5, 1, 3, material=of), Fixture("drain", -2, 15, 20, 3, 2)
+    world.iteration = 7
+    found, total = density(world, rule, 30, runs, of), np.zeros(world.shape, np.int64)
+    for seed in range(alone):
+        single = seeded(world, seed, 7)
+        advance(single, rule, 30)
+        total += single.where(of)
+    variance = found * (1 - found) * (1 / alone + 1 / runs)
+    open_cells = variance > 20 / alone**2
+    pulls = (total[open_cells] / alone - found[open_cells]) ** 2 / variance[open_cells]
+    assert open_cells.sum() > 40 and pulls.max() < 25
+    assert abs(pulls.mean() - 1) < 0.5
+    assert (total[found == 0] < 5).all() and (total[found == 1] > alone - 5).all()
 
 
 @pytest.mark.parametrize("kind", ["tap", "drain"])

@@ -1,0 +1,75 @@
+"""Laws of the books: what a rule's file says is kept is kept, whatever happens, and the account knows of all else."""
+
+import numpy as np
+import pytest
+
+from game import World, advance, load_rule
+from game.world.rules.definition import rule_names
+from game.world.sand.fixtures import Fixture
+from game.world.sessions.action import Clear, Draw, Fill, Flip, Paint, SetFixtures, Turn, perform
+from game.world.sessions.moment import account_of
+from tests.cells import strewn
+
+
+@pytest.fixture(params=rule_names())
+def rule(request):
+    return load_rule(request.param)
+
+
+def kept(world, rule):
+    """Return the number of cells in each sum that no event may change."""
+    return [int(np.isin(world.materials, kinds).sum()) for kinds in rule.definition.kept]
+
+
+@pytest.mark.parametrize("number", range(3))
+def test_what_a_rule_says_is_kept_is_kept_to_the_cell(rule, number):
+    world = strewn(rule, number, 40 + number, 131, lumps=1 + number)
+    before, walls, account = kept(world, rule), world.walls, account_of(world, rule)
+    for _ in range(10):
+        advance(world, rule, 300)
+        assert kept(world, rule) == before and (world.walls == walls).all() and account.balanced(world)
+
+
+def random_act(rule, generator):
+    """Return an act of a player, with any material."""
+    material = generator.choice(("erase", *rule.materials[1:])).item()
+    start, end = (tuple(place) for place in generator.uniform((-9, -9), (75, 60), (2, 2)).tolist())
+    diameter, over_walls, only = int(generator.integers(1, 12)), bool(generator.integers(2)), ""
+    if generator.random() < 0.3:
+        only = generator.choice(("empty", *rule.materials[1:])).item()
+    taps = (Fixture("tap", *generator.integers(0, 50, 2).tolist(), 5, 2, 3, material=name) for name in rule.materials)
+    acts = (
+        Paint(material, start, end, diameter, over_walls, only=only),
+        Draw("ellipse", material, start, end, 0, over_walls),
+        Fill(material, start),
+        SetFixtures((*taps, Fixture("drain", -3, 30, 40, 2, 2), Fixture("drain", 50, 9, 2, 30))),
+        Turn(1),
+        Flip(),
+    )
+    return acts[generator.integers(len(acts))]
+
+
+@pytest.mark.parametrize("number", range(3))
+def test_the_account_balances_after_acts_taps_and_drains(rule, number):
+    generator = np.random.default_rng(number)
+    world = strewn(rule, number, 50, 66, lumps=2)
+    account = account_of(world, rule)
+    for _ in range(30):
+        world, _, grains, _ = perform(random_act(rule, generator), world, rule)
+        account = account.booked(grains)
+        assert account.balanced(world)
+        account = account.passed(advance(world, rule, 100))
+        assert account.balanced(world)
+    assert account.poured and account.swallowed and account.painted and account.erased
+    world, _, grains, _ = perform(Clear(), world, rule)
+    assert account.booked(grains).balanced(world)
+
+
+def test_a_cell_too_many_or_too_few_in_a_sum_that_is_kept_unbalances_the_account(rule):
+    world = strewn(rule, 4, 20, 30)
+    account, cells = account_of(world, rule), world.materials
+    for kinds in [(1,)] if rule.codes.is_sand else rule.definition.kept:
+        for code, wrong in ((kinds[0], 0), (0, kinds[0])):
+            other = cells.copy()
+            other[tuple(np.argwhere(cells == code)[0])] = wrong
+            assert not account.balanced(World.from_materials(other, rule))
