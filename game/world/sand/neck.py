@@ -29,7 +29,8 @@ def find_neck(world):
 
     It is the narrowest gap between two walls of one row through which alone the sand in the wider room above can go
     down; of equally narrow ones the nearest to the middle of the lattice. With no sand above it is the neck of a glass
-    that has run out, or of an empty one: a wider room lies below too, and no sand is as high.
+    that has run out, or of an empty one: a wider room lies below too, with sand in it, if there is any, that can have
+    come through the gap alone, and none is as high.
     """
     walls = world.walls
     sand = bit_planes.unpack_where(world.planes, world.layout, world.codes.filled)
@@ -37,7 +38,7 @@ def find_neck(world):
         above = _cells_above(walls, row, start, end)
         if not _is_wide(above, end - start) or not _is_only_way(sand & above, walls, row, start, end):
             continue
-        if (sand & above).any() or (not sand[:row].any() and _has_room_below(walls, row, start, end)):
+        if (sand & above).any() or (not sand[:row].any() and _has_run_out(sand, walls, row, start, end)):
             planes = bit_planes.pack(above.view(np.uint8), world.layout._replace(outside=EMPTY))
             return Neck(row, slice(start, end), planes[:4])
     return None
@@ -73,8 +74,13 @@ def _cells_above(walls, row, start, end):
     return above
 
 
-def _has_room_below(walls, row, start, end):
-    return _is_wide(_cells_above(walls[::-1], len(walls) - 1 - row, start, end), end - start)
+def _has_run_out(sand, walls, row, start, end):
+    """Return whether a wide room lies below a gap, with sand in it, if there is any, that came through there alone."""
+    sand, walls, row = sand[::-1], walls[::-1], len(walls) - 1 - row
+    below = _cells_above(walls, row, start, end)
+    fallen = sand & below
+    came = fallen.any() and _is_only_way(fallen, walls, row, start, end)
+    return _is_wide(below, end - start) and (came or not sand.any())
 
 
 def _is_wide(room, gap):

@@ -157,7 +157,7 @@ def told(session):
 
 @pytest.mark.parametrize("quarters", [1, 3])
 @pytest.mark.parametrize("begun", [0, 1500])
-@pytest.mark.parametrize("name", ["hourglass", "paper", "sandpile", "tower", "clocks"])
+@pytest.mark.parametrize("name", ["hourglass", "paper", "sandpile", "tower", "clocks", "mixing"])
 def test_sand_beside_the_neck_is_not_said_to_be_below_it(name, quarters, begun):
     session = Session(load_scene(name))
     session.timeline.run(begun)
