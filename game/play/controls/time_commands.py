@@ -23,8 +23,7 @@ class TimeCommands:
     def step(self):
         """Run one iteration and hold time."""
         self._sessions.now.paused = True
-        if self._sessions.ready():
-            self._sessions.now.step()
+        self._sessions.slowly("Running one iteration …", self._step)
 
     def faster(self):
         """Speed time up by half."""
@@ -61,6 +60,10 @@ class TimeCommands:
     def redo(self):
         """Bring back what was undone last, or the future that was left."""
         self._sessions.slowly("Redoing …", self._redo)
+
+    def _step(self):
+        if self._sessions.ready():
+            self._sessions.now.step()
 
     def _undo(self, repeats):
         if self._sessions.now.undo(self.undo_goes_back, SEEK_NS):

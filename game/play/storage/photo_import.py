@@ -60,7 +60,7 @@ class PhotoImport:
         used, cancelled = ui.button("Use", key="Enter"), ui.button("Cancel", key="Esc")
         keys = [event.key for event in rest if event.type == pygame.KEYDOWN and event.key in ANSWERS]
         if used or cancelled or keys:
-            self._close(used or (not cancelled and ANSWERS[keys[0]]))
+            self._answer(used or (not cancelled and ANSWERS[keys[0]]))
         return [event for event in rest if not (event.type == pygame.KEYDOWN and event.key in ANSWERS)]
 
     def draw(self, surface, theme, area):
@@ -71,11 +71,21 @@ class PhotoImport:
         surface.blit(sprite, sprite.get_rect(center=room.center))
         return covered
 
-    def _close(self, used):
-        """Close the card, unless the photo is to be used and cannot be yet."""
-        if not used or self._sessions.open_scene(self._found.scene, self._found.seed):
-            self._card = None
-            self._display.refresh()
+    def _answer(self, used):
+        """Use the photo, or close the card without."""
+        if used:
+            self._sessions.slowly(f"Opening {self._photo.path.name} …", self._use)
+        else:
+            self._close()
+
+    def _use(self):
+        """Open the photo and close the card, unless the sand cannot give way to it yet."""
+        if self.shown and self._sessions.open_scene(self._found.scene, self._found.seed):
+            self._close()
+
+    def _close(self):
+        self._card = None
+        self._display.refresh()
 
 
 def _sprite(scene, size, colours):

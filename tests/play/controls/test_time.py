@@ -339,6 +339,16 @@ def test_no_act_on_many_cells_comes_before_a_picture_that_says_so(monkeypatch, d
     pygame.display.quit()
 
 
+def test_a_single_iteration_of_many_cells_comes_after_a_picture_that_says_so(glass, monkeypatch):
+    glass.hold_time()
+    monkeypatch.setattr(open_sessions, "LARGE", 100)
+    before = glass.session.now
+    glass.press(pygame.K_PERIOD, ".")
+    assert glass.session.now == before and "Running one iteration" in str(glass.parts.renderer._strips)
+    glass.frame()
+    assert glass.session.now == before + 1 and not glass.parts.sessions.words
+
+
 def test_strokes_that_are_announced_are_one_step_and_leave_nothing_out(player, monkeypatch):
     places = [player.pixel(*place) for place in ((5, 5), (60, 60), (90, 20), (20, 70))]
     player.hold_time()

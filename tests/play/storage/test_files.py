@@ -4,6 +4,7 @@ import sys
 import threading
 import time
 import tracemalloc
+from pathlib import Path
 
 import numpy as np
 import pygame
@@ -12,7 +13,7 @@ from PIL import Image
 
 from game.play.app import App
 from game.play.pages import saved_scenes
-from game.play.storage import recorder
+from game.play.storage import open_sessions, recorder
 from game.play.storage.files import demos
 from game.play.storage.gif_writer import GifWriter
 from game.play.storage.open_sessions import MOST_WAITING
@@ -31,6 +32,7 @@ from game.world.sessions.snapshots import MEGABYTE
 from tests.play.player import Player
 from tests.saved import load_picture, save_replay
 
+DATA = Path(__file__).parents[2] / "data"
 CTRL = pygame.KMOD_LCTRL
 SHIFT = pygame.KMOD_LSHIFT
 UNSPELLED = "caf\udce9.png"  # as Python tells a name of bytes that are no letters in UTF-8
@@ -302,6 +304,21 @@ def test_a_photo_is_looked_at_before_it_is_taken(player, tmp_path):
     sand = player.session.scene.sand
     assert not player.parts.photo_import.shown and player.session.scene.shape == (48, 64)
     assert 0 < sand.sum() < load_picture(tmp_path / "grey.png").scene.sand.sum()
+
+
+def test_a_photo_put_in_place_of_many_cells_comes_after_a_picture_that_says_so(player, tmp_path, monkeypatch):
+    Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
+    player.drop(tmp_path / "grey.png")
+    monkeypatch.setattr(open_sessions, "LARGE", 100)
+    player.press(pygame.K_RETURN)
+    assert player.session.scene.name == "blank" and "Opening grey.png" in str(player.parts.renderer._strips)
+    player.frame()
+    assert player.session.scene.shape == (48, 64) and not player.parts.photo_import.shown
+
+
+def test_a_lossy_copy_of_a_saved_scene_is_opened_with_the_number_of_guessed_cells(player):
+    player.drop(DATA / "saved-rainbow-95.jpg")
+    assert "found 936 of 43,200 cells in no material's colour: the nearest was guessed" in player.words()
 
 
 def test_a_photo_can_be_left(player, tmp_path):

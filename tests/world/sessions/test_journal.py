@@ -209,6 +209,13 @@ def test_two_windows_leave_each_others_journals_alone():
     other.journal.close(0, "")
 
 
+def test_a_journal_whose_lock_was_not_had_is_not_begun(folder, monkeypatch):
+    monkeypatch.setattr(journals, "lock", lambda handle: False)
+    with pytest.raises(JournalError, match="cannot keep a journal: another window has it open"):
+        Journal.begin(SCENES[1], 0)
+    assert all(path.stat().st_size == 0 for path in folder.iterdir())
+
+
 def test_time_that_went_on_without_an_act_is_noted_now_and_then(monkeypatch):
     seconds = iter(range(1000))
     monkeypatch.setattr(journals.time, "monotonic", lambda: next(seconds))
