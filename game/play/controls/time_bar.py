@@ -67,8 +67,9 @@ class TimeBar:
         """Return the strokes of the bar: a value that changes only when the bar looks different."""
         px, track = self.theme.px, self.track
         self._time.follow(session.timeline)
-        up_to, reached = self._time.up_to, max(float(self._time.up_to(session.reached)), 1.0)
-        here = track.x + round(min(float(up_to(session.now)) / reached, 1.0) * (track.width - 1))
+        now, reached = self._time.up_to((session.now, session.reached)).tolist()
+        reached = max(reached, 1.0)
+        here = track.x + round(min(now / reached, 1.0) * (track.width - 1))
         lively = self.held or self._hover
         groove = look.EDGE if lively else look.GROOVE
         strokes = [(draw_list.fill, tuple(self.area), look.SUNKEN), (draw_list.box, tuple(track), groove, track.height)]
@@ -76,7 +77,10 @@ class TimeBar:
         strokes.append((draw_list.box, past, look.ACCENT if lively else look.STONE, track.height))
         self.marks.follow(session.timeline.history)
         for ats, high, colour in ((self.marks.acts, ACT, look.FAINT), (self.marks.strong, STRONG, look.ACCENT)):
-            for x in np.unique((np.minimum(up_to(ats), reached) * (track.width - 1) / reached).astype(int)).tolist():
+            if not ats.size:
+                continue
+            lively_ats = np.minimum(self._time.up_to(ats), reached)
+            for x in np.unique((lively_ats * (track.width - 1) / reached).astype(int)).tolist():
                 mark = (track.x + x, track.y - px(2) - px(high), px(1), px(high))
                 strokes.append((draw_list.fill, mark, colour))
         radius = px(HANDLE) + (px(1) if lively else 0)
