@@ -9,9 +9,8 @@ from game.play.controls.gestures import Press, Span, Trail
 from game.play.view.outlines import box_outline, brush_outline, mark
 from game.world.sand import parameters
 from game.world.sand.sand_colours import AMBER, COLOURS, DYES
-from game.world.sessions.action import EMPTY_CELLS, SHAPES, USUAL_SHAPE, Fill, Paint, SetFixtures, box, snap
+from game.world.sessions.action import EMPTY_CELLS, ERASE, SHAPES, USUAL_SHAPE, Fill, Paint, SetFixtures, box, snap
 
-MATERIALS = ("sand", "wall", "erase")
 TOOLS = {  # the gesture that each makes
     "brush": Trail,
     "line": Span,
@@ -41,7 +40,7 @@ class Brush:
     def __init__(self, sessions):
         self._sessions = sessions
         self.tool = "brush"
-        self.material = "sand"
+        self._chosen = "sand"  # a material, or ERASE
         self.colour = AMBER  # of sand: one of DYES
         self.diameter = parameters.BRUSH.default
         self.shape = USUAL_SHAPE
@@ -66,21 +65,47 @@ class Brush:
         return self._button is not None
 
     @property
+    def materials(self):
+        """The names of what can be painted in the world that is played, the eraser last."""
+        codes = self._sessions.now.world.codes
+        forms = codes.forms or codes.names
+        names = dict.fromkeys(forms[code] for code in sorted(codes.filled | {codes.wall}))
+        return (*names, ERASE)
+
+    @property
+    def material(self):
+        """What the brush paints: what was chosen, or the first of the materials if the world has not that one."""
+        return self._chosen if self._chosen in self.materials else self.materials[0]
+
+    @material.setter
+    def material(self, name):
+        self._chosen = name
+
+    @property
+    def has_colours(self):
+        """Whether the sand of the world that is played can have colours."""
+        return self._sessions.now.world.codes.is_sand
+
+    @property
     def ink(self):
         """The material that the gesture leaves."""
-        return "erase" if self._erasing else self.material
+        return ERASE if self._erasing else self.material
 
     @property
     def dye(self):
         """The colour of what the gesture leaves."""
-        return self.colour if self.ink == "sand" else AMBER
+        return self.colour if self.ink == "sand" and self.has_colours else AMBER
 
     def dip(self, colour):
         """Paint with sand of a colour from now on."""
         self.colour, self.material = colour, "sand"
 
     def next_colour(self, steps):
-        """Take the colour so many swatches further on."""
+        """Take the colour so many swatches further on, or the material where sand has no colours."""
+        if not self.has_colours:
+            names = self.materials
+            self.material = names[(names.index(self.material) + steps) % len(names)]
+            return
         self.dip(DYES[(DYES.index(self.colour) + steps) % len(DYES)])
 
     def choose(self, tool):
@@ -95,9 +120,9 @@ class Brush:
 
         colour: the number of the colour of what was picked, if that is sand.
         """
-        if material == "sand":
+        if material == "sand" and self.has_colours:
             self.colour = COLOURS[colour]
-        self.material = "erase" if material == EMPTY_CELLS else material
+        self.material = ERASE if material == EMPTY_CELLS else material
         self.tool = self._before_pick
 
     def next_shape(self):

@@ -1,8 +1,12 @@
 """The fixture tool: puts taps and drains where the pointer lets go, and moves them."""
 
+from dataclasses import replace
+
 from game.play.view.outlines import box_outline
 from game.world.sand.fixtures import MOST, TAP, Fixture
-from game.world.sessions.action import SetFixtures, cell, snap
+from game.world.sand.material_codes import WALL_NAME
+from game.world.sand.sand_colours import AMBER
+from game.world.sessions.action import ERASE, SetFixtures, cell, snap
 
 NEAR = 1  # cells: a fixture is taken hold of this far beside it
 
@@ -42,8 +46,11 @@ class FixtureTool:
 def fresh(brush, place):
     """Return the fixture that the brush would put at a place: as wide as the brush, a cell high."""
     column, row = cell((snap(place, brush.diameter)[0] - brush.diameter / 2, place[1]))
-    sand = (brush.every, brush.colour) if brush.tool == TAP else ()
-    return Fixture(brush.tool, column, row, int(brush.diameter), 1, *sand)
+    fixture = Fixture(brush.tool, column, row, int(brush.diameter), 1)
+    if brush.tool != TAP:
+        return fixture
+    poured = next(name for name in (brush.material, *brush.materials) if name not in (WALL_NAME, ERASE))
+    return replace(fixture, every=brush.every, colour=brush.colour if brush.has_colours else AMBER, material=poured)
 
 
 def _reaches(fixture, shape):

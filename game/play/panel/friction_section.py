@@ -1,5 +1,6 @@
-"""The panel's section of friction: how sand moves, from p to all seven probabilities."""
+"""The panel's section of friction: how sand moves, from p to all seven probabilities, or the chances of any rule."""
 
+from contextlib import suppress
 from dataclasses import replace
 
 from game.world.rules.rule import PROBABILITIES, SCHEDULES, Rule
@@ -22,6 +23,7 @@ SCHEDULE_TIP = (
     "Paper: four; grains alternate sides. Balanced: the same four in another order; grains fall evenly, twice as fast."
 )
 LEAN_TIP = "Which side grains favour, and the order in which blocks take turns"
+TIP = "How likely it is in a block where it can happen; at 1 it always does"
 SEVEN_TIP = "How likely each event in a block of 2×2 cells is"
 
 
@@ -38,6 +40,31 @@ class FrictionSection:
     def lay_out(self, ui):
         """Show the section and do what it was told."""
         rule, usual = self._sessions.now.rule, self._sessions.now.scene.rule
+        changed = self._of_sand(ui, rule, usual) if rule.codes.is_sand else self._of_any(ui, rule, usual)
+        held = ui.focus.held is not None
+        if changed is not rule:
+            self._sessions.do(SetRule(changed), join=self._turning)
+        self._turning = held and (self._turning or changed is not rule)
+
+    def _of_any(self, ui, rule, usual):
+        """Show the chances of a rule; return it as it is to be."""
+        ui.heading(rule.definition.title)
+        changed = rule
+        for each in rule.definition.chances:
+            default = usual.chances.get(each.name, each.default)
+            value = ui.slider(each.meaning.capitalize(), each, rule.chances[each.name], default=default, tip=TIP)
+            with suppress(ValueError):  # outcomes of one event that are more than certain together: it stays as it was
+                changed = changed.with_chances(**{each.name: value}) if value != rule.chances[each.name] else changed
+        self._lean_open = ui.fold("Schedule", self._lean_open, tip=SCHEDULE_TIP)
+        if self._lean_open:
+            names = list(SCHEDULES)
+            now = names.index(rule.schedule)
+            chosen = names[ui.choice("Schedule", [name.capitalize() for name in names], now, tip=SCHEDULE_TIP)]
+            changed = changed.with_schedule(chosen) if chosen != rule.schedule else changed
+        return changed
+
+    def _of_sand(self, ui, rule, usual):
+        """Show p and what can be folded away; return the rule as it is to be."""
         if rule is not self._rule:
             self._rule, self._p, self._bias = rule, rule.p, rule.bias
         ui.heading("Friction")
@@ -47,12 +74,7 @@ class FrictionSection:
         self._lean_open = ui.fold("Bias and schedule", self._lean_open, tip=LEAN_TIP)
         if self._lean_open:
             bias, schedule = self._lean(ui, rule, usual)
-        changed = self._changed(rule, p, bias, schedule)
-        changed = self._seven(ui, changed, usual)
-        held = ui.focus.held is not None
-        if changed is not rule:
-            self._sessions.do(SetRule(changed), join=self._turning)
-        self._turning = held and (self._turning or changed is not rule)
+        return self._seven(ui, self._changed(rule, p, bias, schedule), usual)
 
     def _lean(self, ui, rule, usual):
         """Show bias and schedule; return them as they are to be."""

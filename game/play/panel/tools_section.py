@@ -1,6 +1,6 @@
 """The panel's section of tools: what the pointer does to the sand, and with what."""
 
-from game.play.controls.brush import MATERIALS, TOOLS
+from game.play.controls.brush import TOOLS
 from game.world.sand import parameters
 from game.world.sand.sand_colours import COLOURS, DYES
 from game.world.sessions.action import SHAPES
@@ -33,10 +33,9 @@ class ToolsSection:
         brush = self._brush
         ui.heading("Tools")
         _show_tools(ui, brush)
-        labels = [name.capitalize() for name in MATERIALS]
-        tip = "What the left button paints; the right one erases  (S, W, X)"
-        brush.material = MATERIALS[ui.segmented("Paint", labels, MATERIALS.index(brush.material), tip=tip)]
-        _show_colours(ui, brush)
+        _show_materials(ui, brush)
+        if brush.has_colours:
+            _show_colours(ui, brush)
         tip = "Width of the brush, in cells  (1-9)"
         brush.diameter = ui.slider("Size", parameters.BRUSH, brush.diameter, log=True, tip=tip)
         _show_special(ui, brush)
@@ -53,6 +52,18 @@ def _show_tools(ui, brush):
     chosen = tools[ui.grid("Tool", labels, tools.index(brush.tool), 4, [TIPS[tool] for tool in tools])]
     if chosen != brush.tool:
         brush.choose(chosen)
+
+
+def _show_materials(ui, brush):
+    names, tip = brush.materials, "What the left button paints; the right one erases  (S, W, X)"
+    labels, index = [name.capitalize() for name in names], names.index(brush.material)
+    if brush.has_colours:
+        chosen = ui.segmented("Paint", labels, index, tip=tip)
+    else:
+        tips = [f"Paints {name}; the right button erases  (,)" for name in names[:-1]]
+        chosen = ui.grid("Paint", labels, index, 4, [*tips, "Paints with nothing  (X)"])
+    if chosen != index:
+        brush.material = names[chosen]
 
 
 def _show_colours(ui, brush):

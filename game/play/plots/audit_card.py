@@ -44,8 +44,11 @@ class AuditTable(NamedTuple):
         return rows + 1 + (len(account.lines) if self.sums else 1)
 
 
-def card(theme, rect, account, counted):
-    """Return the strokes of the card of a GrainAccount in `rect`, where so many grains of each colour were counted."""
+def card(theme, rect, account, counted, swatches):
+    """Return the strokes of the card of a GrainAccount in `rect`, where so many grains of each kind were counted.
+
+    swatches: the RGB of each kind.
+    """
     grains, balanced = sum(counted), account.agrees(counted)
     strokes, room = charts.card(theme, rect, "Audit", "every grain is there" if balanced else "")
     if not balanced:
@@ -57,7 +60,7 @@ def card(theme, rect, account, counted):
     table = _fitting(theme, room, account)
     if table.sums:
         strokes += _sums(theme, room, account, table.lines(account))
-    return strokes + _rows(theme, room, account, table)
+    return strokes + _rows(theme, room, account, table, swatches)
 
 
 def heights(theme, account):
@@ -113,7 +116,7 @@ def _widths(theme, room, table):
     return row, (row - first) // max(1, len(table.columns)), first
 
 
-def _rows(theme, room, account, table):
+def _rows(theme, room, account, table, swatches):
     """Return the strokes of the table, in the last of its lines."""
     lines, (row, wide, first) = table.lines(account), _widths(theme, room, table)
     high = min(theme.line_height(look.SMALL), room.height // lines)
@@ -128,7 +131,7 @@ def _rows(theme, room, account, table):
         for down, number in enumerate(range(across * deep, min((across + 1) * deep, len(account.rows))), 1):
             side = min(theme.px(SWATCH), high - 2)
             box = (left, top + down * high + (high - side) // 2, side, side)
-            strokes.append((draw_list.box, box, theme.colours.swatch(account.rows[number][0]), theme.px(2)))
+            strokes.append((draw_list.box, box, swatches[account.rows[number][0]], theme.px(2)))
             texts = [table.spell(each.sign, each.numbers[number]) for each in table.columns]
             strokes += _line([cell.move(0, down * high) for cell in cells], texts)
     if not table.sums:

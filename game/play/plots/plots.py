@@ -12,6 +12,7 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.world.files.atomic import save_as_new
 from game.world.files.paths import numbered, save_new
+from game.world.sand.sand_colours import COLOURS
 from game.world.sessions.measurements import PROFILE_COLUMNS, Measurements, csv
 from game.world.sessions.session import BUDGET_NS
 
@@ -203,7 +204,12 @@ class Plots:
 
     def _audit(self, rect):
         session = self._sessions.now
-        return card(self._display.theme, rect, session.account, session.world.amounts)
+        theme, materials = self._display.theme, session.rule.definition.materials
+        if session.rule.codes.is_sand:
+            swatches = [theme.colours.swatch(number) for number in range(len(COLOURS))]
+        else:
+            swatches = [each.colour for each in materials]
+        return card(theme, rect, session.account, session.world.amounts, swatches)
 
     def _nows(self):
         return [each.now for each in self.measurements.samples]

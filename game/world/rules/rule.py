@@ -153,8 +153,8 @@ class Rule:
 
     @property
     def bias(self):
-        """The lean in [-1, 1] that, with p, gives the two topple probabilities."""
-        if self.p == 0.0:
+        """The lean in [-1, 1] that, with p, gives the two topple probabilities; 0 in a rule that is not the sand's."""
+        if not self.codes.is_sand or self.p == 0.0:
             return 0.0
         if self.topple_right < self.topple_left:
             return self.topple_right / self.p - 1.0
