@@ -23,7 +23,7 @@ SCHEDULE_TIP = (
     "Paper: four; grains alternate sides. Balanced: the same four in another order; grains fall evenly, twice as fast."
 )
 LEAN_TIP = "Which side grains favour, and the order in which blocks take turns"
-TIP = "How likely it is in a block where it can happen; at 1 it always does"
+TIP = "How likely it is, in each block of 2×2 cells where it can happen."
 SEVEN_TIP = "How likely each event in a block of 2×2 cells is"
 
 
@@ -52,7 +52,13 @@ class FrictionSection:
         changed = rule
         for each in rule.definition.chances:
             default = usual.chances.get(each.name, each.default)
-            value = ui.slider(each.meaning.capitalize(), each, rule.chances[each.name], default=default, tip=TIP)
+            value = ui.slider(
+                each.meaning.capitalize(),
+                each,
+                rule.chances[each.name],
+                default=default,
+                tip=f"{each.meaning.capitalize()}. {TIP}",
+            )
             with suppress(ValueError):  # outcomes of one event that are more than certain together: it stays as it was
                 changed = changed.with_chances(**{each.name: value}) if value != rule.chances[each.name] else changed
         self._lean_open = ui.fold("Schedule", self._lean_open, tip=SCHEDULE_TIP)

@@ -18,6 +18,7 @@ SWATCH = 9  # pixels at scale 1
 GAP = 5  # from one column to the next
 WIDE = 210  # a row with all its columns
 CLOSEST = 0.9  # of their usual height: lines where there is little room
+KEPT = "the books balance"  # where materials become others
 ALL = "all"  # the row of the sums
 
 
@@ -50,7 +51,9 @@ def card(theme, rect, account, counted, swatches):
     swatches: the RGB of each kind.
     """
     grains, balanced = sum(counted), account.agrees(counted)
-    strokes, room = charts.card(theme, rect, "Audit", "every grain is there" if balanced else "")
+    strokes, room = charts.card(
+        theme, rect, "Audit", (KEPT if any(account.formed_by_kind) else "every grain is there") if balanced else ""
+    )
     if not balanced:
         head = (room.x, rect.y + theme.px(charts.PAD // 2), room.width, theme.px(charts.HEAD))
         said = f"but {grains:,} are there" if grains != account.expected else "but in other colours"
@@ -153,7 +156,8 @@ def _line(cells, texts):
 
 def _all_columns(account):
     """Return the columns that are not all zeros."""
-    words = ("start", ""), ("painted", "+"), ("erased", "-"), ("poured", "+"), ("swallowed", "-"), ("now", "=")
+    words = ("start", ""), ("painted", "+"), ("erased", "-"), ("poured", "+"), ("swallowed", "-")
+    words += ("formed", "+"), ("used", "-"), ("now", "=")
     numbers = list(zip(*account.rows, strict=True))[1:]
     found = [ColourColumn(*word, each, sum(each)) for word, each in zip(words, numbers, strict=True)]
     return [each for each in found if each.total or each.word in ("start", "now")]
@@ -161,9 +165,9 @@ def _all_columns(account):
 
 def _came_and_went(account):
     """Return the columns of what there was, what came, what went, and what there is."""
-    _, start, painted, erased, poured, swallowed, now = zip(*account.rows, strict=True)
-    came = tuple(map(sum, zip(painted, poured, strict=True)))
-    went = tuple(map(sum, zip(erased, swallowed, strict=True)))
+    _, start, painted, erased, poured, swallowed, formed, used, now = zip(*account.rows, strict=True)
+    came = tuple(map(sum, zip(painted, poured, formed, strict=True)))
+    went = tuple(map(sum, zip(erased, swallowed, used, strict=True)))
     columns = ("start", "", start), ("came", "+", came), ("went", "-", went), ("now", "=", now)
     return [ColourColumn(word, sign, each, sum(each)) for word, sign, each in columns]
 

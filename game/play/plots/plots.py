@@ -209,7 +209,8 @@ class Plots:
             swatches = [theme.colours.swatch(number) for number in range(len(COLOURS))]
         else:
             swatches = [each.colour for each in materials]
-        return card(theme, rect, session.account, session.world.amounts, swatches)
+        amounts = session.world.amounts
+        return card(theme, rect, session.account.met(amounts), amounts, swatches)
 
     def _nows(self):
         return [each.now for each in self.measurements.samples]

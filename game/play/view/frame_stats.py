@@ -52,7 +52,8 @@ class FrameStats:
         self._since_s = now_s if self._since_s is None else self._since_s
         if now_s - self._since_s >= REFRESH_S:
             self.reading = read(self._frames, now_s - self._since_s)
-            self.account, self.grains = session.account, session.world.amounts
+            self.grains = session.world.amounts
+            self.account = session.account.met(self.grains)
             self._frames, self._since_s = [], now_s
 
 

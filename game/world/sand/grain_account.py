@@ -17,6 +17,7 @@ def added(one, other):
 
 def split(change):
     """Return the tallies of the grains that came and of those that went."""
+    change = tuple(change)
     return tuple(max(each, 0) for each in change), tuple(max(-each, 0) for each in change)
 
 
@@ -30,6 +31,8 @@ class GrainAccount:
     erased_by_kind: tuple = NO_GRAINS
     poured_by_kind: tuple = NO_GRAINS  # by taps
     swallowed_by_kind: tuple = NO_GRAINS  # by drains
+    formed_by_kind: tuple = NO_GRAINS  # by the rule's reactions, as far as `met` has seen; on balance
+    used_by_kind: tuple = NO_GRAINS
 
     @property
     def start(self):
@@ -63,9 +66,9 @@ class GrainAccount:
 
     @property
     def expected_by_kind(self):
-        """How many grains of each kind there must be now, but for what the rule makes of them."""
-        came = added(added(self.start_by_kind, self.painted_by_kind), self.poured_by_kind)
-        gone = added(self.erased_by_kind, self.swallowed_by_kind)
+        """How many grains of each kind there must be now, by what is in the account."""
+        came = added(added(self.start_by_kind, self.painted_by_kind), added(self.poured_by_kind, self.formed_by_kind))
+        gone = added(added(self.erased_by_kind, self.swallowed_by_kind), self.used_by_kind)
         return added(came, (-lost for lost in gone))
 
     @property
@@ -74,17 +77,24 @@ class GrainAccount:
         lines = [("", "at the start", self.start), ("+", "painted", self.painted), ("-", "erased", self.erased)]
         if self.poured or self.swallowed:
             lines += [("+", "poured", self.poured), ("-", "swallowed", self.swallowed)]
+        if any(self.formed_by_kind) or any(self.used_by_kind):
+            lines += [("+", "formed", sum(self.formed_by_kind)), ("-", "used up", sum(self.used_by_kind))]
         return [*lines, ("=", "now", self.expected)]
 
     @property
     def rows(self):
-        """The account of each kind that ever was: [(its number, start, painted, erased, poured, swallowed, now)]."""
+        """The account of each kind that ever was.
+
+        It is [(its number, start, painted, erased, poured, swallowed, formed, used, now)].
+        """
         columns = (
             self.start_by_kind,
             self.painted_by_kind,
             self.erased_by_kind,
             self.poured_by_kind,
             self.swallowed_by_kind,
+            self.formed_by_kind,
+            self.used_by_kind,
             self.expected_by_kind,
         )
         return [(number, *row) for number, row in enumerate(zip_longest(*columns, fillvalue=0)) if any(row)]
@@ -111,11 +121,23 @@ class GrainAccount:
             swallowed_by_kind=added(self.swallowed_by_kind, traffic.swallowed),
         )
 
+    def met(self, amounts):
+        """Return the account where so many grains of each kind are there, with what reactions have made of others.
+
+        Kinds that the rule keeps one by one are left as they are: there is nothing that could have made them.
+        """
+        alone = {kinds[0] for kinds in self.kept if len(kinds) == 1}
+        before = replace(self, formed_by_kind=NO_GRAINS, used_by_kind=NO_GRAINS)
+        left = added(amounts, (-each for each in before.expected_by_kind))
+        formed, used = split(0 if kind in alone else each for kind, each in enumerate(left))
+        return replace(before, formed_by_kind=formed, used_by_kind=used)
+
     def balanced(self, world):
         """Return whether `world` holds the grains that it must, in each sum that is kept: none was made or lost."""
         return self.agrees(world.amounts)
 
     def agrees(self, amounts):
         """Return whether there may be so many grains of each kind."""
-        gone = added(self.expected_by_kind, (-each for each in amounts))
+        before = replace(self, formed_by_kind=NO_GRAINS, used_by_kind=NO_GRAINS)
+        gone = added(before.expected_by_kind, (-each for each in amounts))
         return all(sum(gone[kind] for kind in kinds) == 0 for kinds in self.kept)
