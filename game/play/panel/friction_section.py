@@ -23,6 +23,8 @@ SCHEDULE_TIP = (
     "Paper: four; grains alternate sides. Balanced: the same four in another order; grains fall evenly, twice as fast."
 )
 LEAN_TIP = "Which side grains favour, and the order in which blocks take turns"
+MOST_OPEN = 4  # chances that are always in sight
+CHANCES_TIP = "How likely what the materials do is, event by event"
 TIP = "How likely it is, in each block of 2×2 cells where it can happen."
 SEVEN_TIP = "How likely each event in a block of 2×2 cells is"
 
@@ -49,18 +51,16 @@ class FrictionSection:
     def _of_any(self, ui, rule, usual):
         """Show the chances of a rule; return it as it is to be."""
         ui.heading(rule.definition.title)
-        changed = rule
-        for each in rule.definition.chances:
-            default = usual.chances.get(each.name, each.default)
-            value = ui.slider(
-                each.meaning.capitalize(),
-                each,
-                rule.chances[each.name],
-                default=default,
-                tip=f"{each.meaning.capitalize()}. {TIP}",
-            )
-            with suppress(ValueError):  # outcomes of one event that are more than certain together: it stays as it was
-                changed = changed.with_chances(**{each.name: value}) if value != rule.chances[each.name] else changed
+        changed, chances = rule, rule.definition.chances
+        if len(chances) > MOST_OPEN:
+            self._seven_open = ui.fold(f"All {len(chances)} chances", self._seven_open, tip=CHANCES_TIP)
+        for each in chances if self._seven_open or len(chances) <= MOST_OPEN else ():
+            default, now = usual.chances.get(each.name, each.default), rule.chances[each.name]
+            words = each.meaning.capitalize()
+            value = ui.slider(words, each, now, default=default, tip=f"{words}. {TIP}")
+            if value != now:
+                with suppress(ValueError):  # outcomes of one event that are more than certain together: as it was
+                    changed = changed.with_chances(**{each.name: value})
         self._lean_open = ui.fold("Schedule", self._lean_open, tip=SCHEDULE_TIP)
         if self._lean_open:
             names = list(SCHEDULES)

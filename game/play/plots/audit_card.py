@@ -51,9 +51,8 @@ def card(theme, rect, account, counted, swatches):
     swatches: the RGB of each kind.
     """
     grains, balanced = sum(counted), account.agrees(counted)
-    strokes, room = charts.card(
-        theme, rect, "Audit", (KEPT if any(account.formed_by_kind) else "every grain is there") if balanced else ""
-    )
+    kept = KEPT if any(account.formed_by_kind) else "every grain is there"
+    strokes, room = charts.card(theme, rect, "Audit", kept if balanced else "")
     if not balanced:
         head = (room.x, rect.y + theme.px(charts.PAD // 2), room.width, theme.px(charts.HEAD))
         said = f"but {grains:,} are there" if grains != account.expected else "but in other colours"

@@ -197,8 +197,8 @@ def test_each_colour_has_a_row_that_adds_up(player):
     player.session.do(Paint("erase", (30.0, 50.0), (60.0, 50.0), 5))
     rows, now = player.session.account.rows, player.world.amounts
     assert [row[0] for row in rows] == [0, 2, 4]
-    for number, start, painted, erased, poured, swallowed, left in rows:
-        assert start + painted - erased + poured - swallowed == left == now[number]
+    for number, start, painted, erased, poured, swallowed, formed, used, left in rows:
+        assert start + painted - erased + poured - swallowed == left == now[number] and formed == used == 0
     player.key(pygame.K_l, "l")
     player.wait(20)
     texts = [text for _, text, _ in written(player)]

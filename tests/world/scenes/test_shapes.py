@@ -7,6 +7,8 @@ from game.world.files.checked_table import read_table
 from game.world.files.paths import asset
 from game.world.sand.parameters import SIDE
 from game.world.scenes import scene
+from game.world.scenes.cell_arrays import palette_of
+from game.world.scenes.scene import load_scene
 from game.world.scenes.shapes import MOST_WORK, Scale, read_shapes, work_of
 from tests.world.scenes.test_scene import SIZE, complaint, drawn, loaded
 
@@ -78,7 +80,13 @@ def test_the_work_of_a_scene_is_bounded_whatever_its_shapes(tmp_path, monkeypatc
 @pytest.mark.parametrize("name", scene.scene_names())
 def test_every_shipped_scene_can_be_painted_on_the_largest_lattice(name):
     table = read_table(asset("scenes", f"{name}.toml"))
-    scale = Scale(table.values["width"], table.values["height"], SIDE.high, SIDE.high)
+    scale = Scale(
+        table.values["width"],
+        table.values["height"],
+        SIDE.high,
+        SIDE.high,
+        palette_of(load_scene(name).rule.definition),
+    )
     assert (
         sum(work_of(shape, scale) for each in table.tables("shape") for shape in read_shapes(each, scale)) < MOST_WORK
     )
