@@ -323,3 +323,12 @@ def test_the_help_page_leaves_no_trace(glass):
     area = glass.parts.display.layout.sand
     after = pygame.surfarray.array2d(glass.parts.window.surface)
     assert (after[: area.width, : area.height] == before[: area.width, : area.height]).all()
+
+
+def test_a_kernel_cache_that_cannot_be_kept_is_told_once_in_a_quiet_line(player, monkeypatch):
+    monkeypatch.setattr("game.play.app.cache_trouble", lambda: "kernels cannot be kept: the disk is full")
+    player.wait(2)
+    assert player.parts.notices.text == "kernels cannot be kept: the disk is full"
+    player.parts.notices.say("something else")
+    player.wait(3)
+    assert player.parts.notices.text == "something else"

@@ -216,14 +216,16 @@ def _drawn(table, folder, palette):
 
 def _painted(table, scale):
     """Return the (H, W) uint8 materials that the shapes of `table` paint on the lattice of a Scale, and the shapes."""
-    cells, shapes, work = np.full((scale.height, scale.width), EMPTY, np.uint8), [], 0
+    shapes, work = [], 0
     for each in table.tables("shape"):
         for shape in read_shapes(each, scale):
             work += work_of(shape, scale)
             if work > MOST_WORK:
                 raise each.error("kind", "more to paint", f"shapes that come over {MOST_WORK:,} cells at most in all")
-            paint(cells, shape, scale)
             shapes.append(shape)
+    cells = np.full((scale.height, scale.width), EMPTY, np.uint8)
+    for shape in shapes:
+        paint(cells, shape, scale)
     return cells, shapes
 
 

@@ -67,7 +67,8 @@ def test_another_seed_gives_another_pattern(tmp_path):
 
 
 def test_the_work_of_a_scene_is_bounded_whatever_its_shapes(tmp_path, monkeypatch):
-    monkeypatch.setattr(scene, "paint", lambda cells, shape, scale: None)
+    painted = []
+    monkeypatch.setattr(scene, "paint", lambda cells, shape, scale: painted.append(shape))
     points = [[x % 2 * 16000, x] for x in range(1000)]
     many = f"points = {points}"
     for kind in (f"kind = 'polygon'\n{many}", f"kind = 'line'\nthickness = 9000\n{many}", "kind = 'slats'\nsize = 3"):
@@ -75,6 +76,7 @@ def test_the_work_of_a_scene_is_bounded_whatever_its_shapes(tmp_path, monkeypatc
         path.write_text(f"width = 16384\nheight = 16384\n[[shape]]\n{kind}\nmaterial = 'sand'\nrepeat = [1000, 1]\n")
         with pytest.raises(scene.SceneError, match=r"shape 1\.kind: found more to paint, wanted shapes that come over"):
             scene.load_scene(path)
+        assert not painted  # it is refused before any of it is painted
 
 
 @pytest.mark.parametrize("name", scene.scene_names())
