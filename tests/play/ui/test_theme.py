@@ -13,7 +13,7 @@ def test_a_theme_that_is_no_longer_used_gives_its_text_back_at_once():
     try:
         seen = []
         for number in range(look.MOST_KEPT + 3):
-            theme = look.theme_of(1 + number / 16, NIGHT)
+            theme = look.theme_of(1.01 + number / 16, NIGHT)  # that no window of another test holds
             theme.lines("Words that are broken where they must", look.BODY, theme.px(60))
             seen.append((weakref.ref(theme), weakref.ref(theme.words("Words", look.BODY, look.TEXT))))
         kept = [theme() is not None and text() is not None for theme, text in seen]
