@@ -1,6 +1,6 @@
 """Sandglass: sand as a probabilistic cellular automaton, fast enough to forget about.
 
-A world is a lattice of cells, each empty, sand or wall; a rule says how likely sand is to move; `advance` moves it.
+A world is a lattice of cells, each of one material; a rule says what materials do and how likely; `advance` runs it.
 Nothing here needs a display, so the sand can live in another program or game engine:
 
     import numpy as np
@@ -14,11 +14,12 @@ Nothing here needs a display, so the sand can live in another program or game en
     for row in np.where(world.walls, "#", np.where(world.sand, "o", ".")):
         print("".join(row))
 
-World      cells, iteration and seed: `from_cells`, `sand`, `walls`, `grains`, `flip`, `copy`, `digest`.
+World      cells, iteration and seed: `from_cells`, `sand`, `walls`, `grains`, `flip`, `copy`, `digest`; of any rule:
+           `from_materials`, `materials`, `where`.
 Rule       how materials move, a probability for each chance, a schedule: read from a file of pictures by `load_rule`,
            by the name of a shipped rule or by path. `Rule.with_p(p)` is the paper's one-parameter rule of sand.
-advance    runs iterations of a rule on a world, in place; worlds hold air, sand and wall, and refuse other rules.
-density    the chance of sand in each cell after some iterations, from many runs at once.
+advance    runs iterations of a rule on a world of its materials, in place.
+density    the chance of sand, or of another material, in each cell after some iterations, from many runs at once.
 Scene      a world, rule and pace read from a file by `load_scene`, by the name of a shipped scene or by path.
 
 The model is that of Devlin & Schuster, "Probabilistic Cellular Automata for Granular Media in Video Games" (2020).
