@@ -322,7 +322,7 @@ PICTURE = "a PNG, GIF, BMP, JPEG, WEBP of at most 67108864 pixels and 16384 a si
             "shape 1 (ellipse).material: found nothing, wanted one of empty, sand, wall, dye",
         ),
         (
-            f"{SIZE}[[shape]]\nkind = 'hourglass'\n[[shape]]\nkind = 'line'\nmaterial = 'wall'",
+            f"{SIZE}[[shape]]\nkind = 'hourglass'\n[[shape]]\nkind = 'rectangle'\nmaterial = 'wall'",
             "shape 1 (hourglass).width: found 6×4 cells, wanted at least 5×5 for an hourglass",
         ),
         (
