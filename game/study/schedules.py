@@ -43,8 +43,9 @@ def run(study):
 
 
 def _decision():
-    others = [name for name in scene_names() if name != "paper" and load_scene(name).rule.schedule != SHIPPED]
-    quantity = f"shipped scenes, but for the paper's, that do not use {SHIPPED}"
+    rules = {name: load_scene(name).rule for name in scene_names() if name != "paper"}
+    others = [name for name, rule in rules.items() if rule.codes.is_sand and rule.schedule != SHIPPED]
+    quantity = f"shipped scenes of sand, but for the paper's, that do not use {SHIPPED}"
     yield report.same(quantity, ", ".join(others) or "none", "none", "this section")
     yield (
         f"So the shipped scenes use {SHIPPED}: it falls as fast as margolus, drains to the last grain as the paper's "
