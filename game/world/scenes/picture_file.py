@@ -199,6 +199,9 @@ def _by_palette(picture, palette_of_cells):
         nearest_cells(palette, palette_of_cells)[0],
         guesses(palette, palette_of_cells)[0],
     )
+    for number, (*colour, alpha) in enumerate(palette[0, : len(palette_of_cells.colours)].tolist()):
+        if alpha == 255 and tuple(colour) == palette_of_cells.colours[number]:
+            materials[number] = number  # not another material of the same colour
     pixels = np.asarray(upright(picture))
     return materials[pixels], int(np.bincount(pixels.ravel(), minlength=256)[guessed].sum())
 
