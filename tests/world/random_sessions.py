@@ -40,50 +40,71 @@ def scene_of(number, height=24, width=30):
 SCENES = [scene_of(0), scene_of(1), scene_of(2, 9, 140)]
 places = st.tuples(st.floats(-4, 34), st.floats(-4, 28))
 chances = st.sampled_from((0.0, 0.25, 0.7, 1.0))
-materials = st.sampled_from(("erase", "sand", "wall", "gold"))
 dyes = st.sampled_from(DYES)
-paints = st.builds(Paint, materials, places, places, st.integers(1, 9), st.booleans())
-shaped = st.builds(
-    Paint,
-    materials,
-    places,
-    places,
-    st.integers(1, 9),
-    shape=st.sampled_from(sorted(SHAPES)),
-    only=st.sampled_from(("", "empty", "sand", "wall", "gold")),
-    spray=st.integers(0, 3),
-    colour=dyes,
-)
 figures = st.sampled_from(("rectangle", "ellipse"))
-draws = st.builds(Draw, figures, materials, places, places, st.integers(0, 3), colour=dyes)
-fills = st.builds(Fill, materials, places, dyes)
-fixtures = st.builds(
-    Fixture,
-    st.sampled_from(("tap", "drain")),
-    st.integers(-3, 30),
-    st.integers(-3, 24),
-    st.integers(1, 9),
-    st.integers(1, 3),
-    st.integers(1, 9),
-    st.sampled_from(("amber", "teal", "rainbow")),
-)
-fittings = st.builds(SetFixtures, st.lists(fixtures, max_size=4).map(tuple))
 turns = st.one_of(st.just(Flip()), st.builds(Turn, st.integers(1, 3)))
-tools = st.one_of(paints, shaped, draws, fills)
-rules = st.builds(SetRule, st.builds(Rule, *[chances] * 7, st.sampled_from(sorted(SCHEDULES))))
-loads = st.builds(Load, st.sampled_from(SCENES), st.integers(0, 3))
+rules = st.builds(Rule, *[chances] * 7, st.sampled_from(sorted(SCHEDULES)))
 sides = st.integers(12, 40)
 glasses = st.builds(Glass, sides, sides, st.integers(0, 3), st.integers(0, 3), st.floats(1, 9), fill=st.floats(0, 1))
 reshapes = st.builds(Reshape, glasses, st.booleans())
-actions = st.one_of(paints, tools, fittings, reshapes, rules, loads, turns, st.just(Clear()))
-commands = st.one_of(
-    st.tuples(st.just("run"), st.integers(0, 30)),
-    st.tuples(st.just("do"), actions, st.booleans()),
-    st.tuples(st.just("undo"), st.booleans()),
-    st.tuples(st.just("redo"), st.booleans()),
-    st.tuples(st.just("seek"), st.integers(0, 150)),
-)
-plays = st.lists(commands, max_size=25)
+
+
+def fixtures_of(materials):
+    """Return what makes a Fixture, of one of some materials if it is a tap."""
+    return st.builds(
+        Fixture,
+        st.sampled_from(("tap", "drain")),
+        st.integers(-3, 30),
+        st.integers(-3, 24),
+        st.integers(1, 9),
+        st.integers(1, 3),
+        st.integers(1, 9),
+        st.sampled_from(("amber", "teal", "rainbow")),
+        st.sampled_from(materials),
+    )
+
+
+def tools_of(materials):
+    """Return what makes an act of a tool with one of some materials, or of the eraser."""
+    painted = st.sampled_from(("erase", *materials))
+    plain = st.builds(Paint, painted, places, places, st.integers(1, 9), st.booleans())
+    shaped = st.builds(
+        Paint,
+        painted,
+        places,
+        places,
+        st.integers(1, 9),
+        shape=st.sampled_from(sorted(SHAPES)),
+        only=st.sampled_from(("", "empty", *materials)),
+        spray=st.integers(0, 3),
+        colour=dyes,
+    )
+    draws = st.builds(Draw, figures, painted, places, places, st.integers(0, 3), colour=dyes)
+    return st.one_of(plain, shaped, draws, st.builds(Fill, painted, places, dyes))
+
+
+def actions_of(tools, fixtures, rules, scenes):
+    """Return what makes any act of a player with such tools, fixtures, rules and scenes."""
+    fittings = st.builds(SetFixtures, st.lists(fixtures, max_size=4).map(tuple))
+    loads = st.builds(Load, st.sampled_from(scenes), st.integers(0, 3))
+    return st.one_of(tools, tools, fittings, reshapes, st.builds(SetRule, rules), loads, turns, st.just(Clear()))
+
+
+def plays_of(actions):
+    """Return what makes the commands of a session with such acts."""
+    commands = st.one_of(
+        st.tuples(st.just("run"), st.integers(0, 30)),
+        st.tuples(st.just("do"), actions, st.booleans()),
+        st.tuples(st.just("undo"), st.booleans()),
+        st.tuples(st.just("redo"), st.booleans()),
+        st.tuples(st.just("seek"), st.integers(0, 150)),
+    )
+    return st.lists(commands, max_size=25)
+
+
+fixtures = fixtures_of(("sand",))
+actions = actions_of(tools_of(("sand", "wall", "gold")), fixtures, rules, SCENES)
+plays = plays_of(actions)
 
 
 class Listener:

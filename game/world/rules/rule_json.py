@@ -6,7 +6,7 @@ from dataclasses import replace
 from game.world.files.checked_table import TableError, shown
 from game.world.rules.definition import MOST_INCLUDES, definition_of_texts, is_shipped, load_definition, rule_names
 from game.world.rules.rule import SAND, SCHEDULES, Rule
-from game.world.rules.rule_text import LARGEST_FILE
+from game.world.rules.rule_text import LARGEST_FILE, RuleError
 
 
 def encode_rule(rule):
@@ -80,8 +80,9 @@ def _own(table):
 def _checked(table, made):
     try:
         return made()
-    except ValueError as error:  # chances of one event that are more than certain together
-        raise table.error("rule", str(error), "chances of one event that are at most 1 in all") from None
+    except RuleError as error:  # chances of one event that are more than certain together
+        place, found, wanted = error.told
+        raise table.error(place, found, wanted) from None
 
 
 def _digest(definition):

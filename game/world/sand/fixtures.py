@@ -48,6 +48,9 @@ class Fixture:
     def __post_init__(self):
         for key in ("x", "y"):  # no lattice has cells beyond that, and files refuse such places
             object.__setattr__(self, key, min(max(getattr(self, key), FIRST_CELL.low), FIRST_CELL.high))
+        if self.kind == DRAIN:  # it pours nothing, and files refuse what it would pour
+            object.__setattr__(self, "colour", AMBER)
+            object.__setattr__(self, "material", SAND_NAME)
 
     def __str__(self):
         """What digests are made of: amber and sand go without saying, as they did when there was nothing else."""

@@ -31,6 +31,10 @@ def furnished(number, *fittings):
     return world
 
 
+def test_a_drain_has_neither_colour_nor_material():
+    assert Fixture(DRAIN, 1, 2, colour="teal", material="oil") == Fixture(DRAIN, 1, 2)
+
+
 def test_a_tap_pours_into_its_empty_cells_and_a_drain_swallows_sand_alone():
     world = world_of(["o.#.o", ".....", "o.#oo"])
     world.fixtures = Fixture(TAP, 0, 0, 4), Fixture(DRAIN, 1, 2, 9)

@@ -65,7 +65,9 @@ def test_a_scene_has_chances_and_a_schedule_of_its_own(tmp_path):
     assert scene.rule == ALCHEMY.with_chances(grow=0.125).with_schedule("balanced")
 
 
-@pytest.mark.parametrize("spelled", ['rule = "small"\ncells = "lk"', 'cells = "lk"\n[rule]\nname = "small"\nboil = 0.75'])
+@pytest.mark.parametrize(
+    "spelled", ['rule = "small"\ncells = "lk"', 'cells = "lk"\n[rule]\nname = "small"\nboil = 0.75']
+)
 def test_the_rule_may_be_a_file_beside_the_scene(tmp_path, spelled):
     own = small_rule(tmp_path)
     scene = loaded(tmp_path, spelled)
@@ -131,7 +133,10 @@ LEGEND = "w (water), o (oil)"
         (SIZE + "[rule]\nname = 'alchemy'\ngrow = 1.5", "rule.grow: found 1.5, wanted in [0, 1]"),
         (SIZE + "[rule]\nname = 'alchemy'\np = 1", "rule.p: found an unknown key"),
         (SIZE + "[rule]\nname = 'alchemy'\nschedule = 'quick'", "rule.schedule: found 'quick', wanted one of margolus"),
-        (SIZE + "[rule]\nname = 'small'\nboil = 1", "rule.rule: found "),
+        (
+            SIZE + "[rule]\nname = 'small'\nboil = 1",
+            "rule.event 'lava and water': chance: found 1.25 in all, wanted at most 1 in all",
+        ),
         ('rule = "broken"\n' + SIZE, "broken.toml:"),
         ('rule = "water-and-oil"\ncells = "w1"', "cells: found '1' in row 1, column 2, wanted only . (empty), "),
         ('rule = "water-and-oil"\ncells = "wkw"', LEGEND),
@@ -155,7 +160,7 @@ LEGEND = "w (water), o (oil)"
     ],
 )
 def test_what_a_rule_has_not_is_told_in_one_line(tmp_path, text, words):
-    written(tmp_path, ('"boil", 0.25', '"boil", "slow"'))
+    written(tmp_path)
     (tmp_path / "broken.toml").write_text(TEXT.replace("X? -> M?", "X? -> Q?"))
     line = complaint(tmp_path, text)
     assert words in line
