@@ -45,9 +45,10 @@ def sinks(upper, lower):
 
 def read_materials(section, chances):
     """Return the Materials of the RuleSection [materials] by code; `chances`: the names that their numbers may name."""
-    if not 2 <= len(section.values) <= MOST:
+    if not 3 <= len(section.values) <= MOST:
         found = f"{len(section.values)} materials"
-        raise section.error("", found, f"2 to {MOST}, as a cell has four bits: first the empty one, and {WALL!r}")
+        wanted = f"3 to {MOST}, as a cell has four bits: first the empty one, {WALL!r} and another"
+        raise section.error("", found, wanted)
     materials = [_read(section, name, chances) for name in section.values]
     _check_letters(section, materials)
     names = [each.name for each in materials]
