@@ -39,12 +39,15 @@ def virtual_screen(size):
 
 
 def run_under_x11(script, screen):
-    """Return what a script prints, and what it complains of, on a virtual X11 screen."""
+    """Return what a script prints, and what it complains of, on a virtual X11 screen.
+
+    It draws on the screen's own surface, whatever the machine: else how long a flip takes decides about that.
+    """
     with virtual_screen(screen) as display:
         environment = {name: value for name, value in os.environ.items() if not name.startswith("SDL_VIDEO")}
         done = subprocess.run(
             [sys.executable, "-c", script],
-            env=environment | {"DISPLAY": display, "SDL_VIDEODRIVER": "x11"},
+            env=environment | {"DISPLAY": display, "SDL_VIDEODRIVER": "x11", "SDL_FRAMEBUFFER_ACCELERATION": "0"},
             capture_output=True, text=True, check=False,
         )  # fmt: skip
     return done.stdout, done.stderr
