@@ -112,11 +112,12 @@ class ForecastThread:
             return self._closed or (self._hurry and (told or time.monotonic() - begin > LONG_S))
 
         world = request.crop.world()
+        walls = world.walls
         growing = self._count(world, request.rule, request.ahead, request.runs, request.of, cancelled=dropped)
         for runs, counts in growing:
             late = time.monotonic() - begin > PATIENCE_S
             if hurries or late or runs == request.runs:
-                self.answer, told = forecast_of(request, world.walls, counts, runs), True
+                self.answer, told = forecast_of(request, walls, counts, runs), True
             if dropped() or (late and self._asked):
                 return
 

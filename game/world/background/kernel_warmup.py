@@ -59,7 +59,8 @@ def drawing_steps(rule, walls, cell=1):
 
 def later_steps(rule):
     """Return [(what, act)] for the kernels that a player may need next."""
-    others = [(what, other) for what, other in KINDS.items() if what != _kind_of(rule)]
+    of_sand = rule if rule.codes.is_sand else Rule()
+    others = [(what, other) for what, other in KINDS.items() if what != _kind_of(of_sand)]
     return [
         ("the brush", _brush),
         ("the turn of the glass", _turn),
@@ -70,7 +71,7 @@ def later_steps(rule):
         ("the measures", lambda: pile_heights(_dot())),
         ("the names of worlds", lambda: World.from_cells(*np.zeros((2, 66, 2), bool)).digest()),  # of two bands
         ("the books of colours", lambda: _dot(coloured=True).amounts),
-        *((f"{what} of colours", act) for what, act in moving_steps(Rule(), coloured=True)),
+        *((f"{what} of colours", act) for what, act in moving_steps(of_sand, coloured=True)),
         ("the brush of colours", lambda: _brush(coloured=True)),
         ("figures of colours", lambda: _figures(coloured=True)),
     ] + [

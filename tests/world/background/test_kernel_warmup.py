@@ -5,7 +5,7 @@ import sys
 
 import pytest
 
-from game import Rule
+from game import Rule, load_rule
 from game.world.background import kernel_warmup
 
 SCRIPT = """
@@ -54,3 +54,11 @@ def test_no_kernel_is_compiled_inside_a_frame():
 def test_drawing_is_made_ready_however_small_cells_are(cell):
     for _, act in kernel_warmup.drawing_steps(Rule(), "stone", cell):
         act()
+
+
+@pytest.mark.parametrize("rule", [Rule(), Rule.with_p(0.5), Rule(*[0.5] * 7), load_rule("alchemy")])
+def test_every_kind_of_sand_is_made_ready_plain_and_in_colours(rule):
+    names = [what for what, _ in (*kernel_warmup.moving_steps(rule), *kernel_warmup.later_steps(rule))]
+    for kind in kernel_warmup.KINDS:
+        coloured = [what for what in names if what == f"{kind} of colours"] or names.count(kind) > 1
+        assert coloured and (kind in names or not rule.codes.is_sand)
