@@ -70,11 +70,18 @@ def pack(cells, where, colours=None):
     """Return the planes of (H, W) uint8 codes, and of the colours of the sand, (H, W) uint8, if there are any."""
     planes = empty(where, 4 * where.bits if colours is None else COLOURED_PLANES)
     for bit, first in enumerate(range(0, len(planes), 4)):
-        four = planes[first : first + 4]
-        four[:] = _FULL if bit < where.bits and where.outside >> bit & 1 else 0
-        from_codes = bit < where.bits
-        pack_cells(cells if from_codes else colours, bit if from_codes else bit - where.bits, four, where.words)
+        of, number = (cells, bit) if bit < where.bits else (colours, bit - where.bits)
+        _pack_bit(of, number, planes[first : first + 4], where, bit)
     return planes
+
+
+def _pack_bit(cells, number, four, where, bit):
+    """Set four planes, those of a bit of a cell, to bit `number` of (H, W) uint8 cells, and around them to the outside.
+
+    Colours come after the codes, and are 0 outside.
+    """
+    four[:] = _FULL if bit < where.bits and where.outside >> bit & 1 else 0
+    pack_cells(cells, number, four, where.words)
 
 
 def empty(where, number):
@@ -104,6 +111,9 @@ def planes_where(planes, where, codes):
     for bit in range(where.bits):
         if set(codes) == {code for code in range(where.codes) if code >> bit & 1}:
             return planes[4 * bit : 4 * bit + 4]
+    others = set(range(where.codes)) - set(codes)
+    if len(others) < len(codes):
+        return ~planes_where(planes, where, others)
     found = np.zeros((4, where.length), np.uint64)
     for code in codes:
         same = np.full((4, where.length), _FULL)
@@ -178,10 +188,8 @@ def turned(planes, where, quarters):
     after = layout(height, width, where.codes, where.outside)
     new = empty(after, len(planes))
     for bit, first in enumerate(range(0, len(planes), 4)):
-        four = new[first : first + 4]
-        four[:] = _FULL if bit < where.bits and where.outside >> bit & 1 else 0
-        cells = _unpacked(planes[first : first + 4], where).view(np.bool_)
-        pack_cells(turned_cells(cells, quarters).view(np.uint8), 0, four, after.words)
+        cells = turned_cells(_unpacked(planes[first : first + 4], where).view(np.bool_), quarters)
+        _pack_bit(cells.view(np.uint8), 0, new[first : first + 4], after, bit)
     return new
 
 

@@ -21,7 +21,7 @@ class FrameStep:
         self._time_bar, self._rewind, self._pacers = time_bar, rewind, pacers
         self.moving_ns = 0  # the work of this thread that moved sand in this frame
         self._own_ns = self._other_ns = 0  # what stepping took in this frame, and anything else in the last one
-        self._streams, self._materials = MotionSamples(), None  # of what is played, and the materials that it knows
+        self._streams = MotionSamples()
         self._way_since_s = None  # since when another moment is being computed
 
     @property
@@ -64,7 +64,7 @@ class FrameStep:
                 return
             view.end_turn()
         drawn = self._settings["smooth_streams"] and not self._display.window.hidden
-        session.streams = self._streams_of(session.rule.definition.materials) if drawn else None
+        session.streams = self._streams_of(session.rule) if drawn else None
         budget_ns, due = max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS), self._due()
         frame = partial(session.frame, elapsed_ns, budget_ns, due)
         of_clock = 0 if session.paused else 1 + int(session.clock.speed * elapsed_ns / 1e9)
@@ -74,10 +74,11 @@ class FrameStep:
         else:
             frame()
 
-    def _streams_of(self, materials):
-        """Return the samples of what falls, begun anew for other materials."""
-        if materials != self._materials:
-            self._streams, self._materials = MotionSamples(substances_of(materials)), materials
+    def _streams_of(self, rule):
+        """Return the samples of what falls under a rule, begun anew for other materials."""
+        substances = substances_of(rule.definition.materials)
+        if substances != self._streams.substances:
+            self._streams = MotionSamples(substances)
         return self._streams
 
     def _due(self):

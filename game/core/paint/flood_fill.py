@@ -39,8 +39,7 @@ def _take_together(planes, where, wet, code, tally):
     for bit, first in enumerate(range(0, len(planes), 4)):
         if (code ^ tally.ink.code) >> bit & 1:
             four = planes[first : first + 4]
-            cells = np.zeros(wet.shape, np.uint8)
-            bit_planes.unpack_cells(four, where.words, 0, cells)
+            cells = bit_planes.unpack(four, where)
             np.copyto(cells, np.uint8(tally.ink.code >> bit & 1), where=wet)
             bit_planes.pack_cells(cells, 0, four, where.words)
     number = int(np.count_nonzero(wet))

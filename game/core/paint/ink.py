@@ -8,7 +8,6 @@ from game.core.chance import mix
 from game.core.jit import gate
 from game.core.planes import DEPTH
 
-EMPTY, SAND, WALL = range(3)  # codes in a world of sand
 ANY = 2**16 - 1  # a set of codes has bit k for code k
 RAINBOW = 2**DEPTH  # a colour that is none: stripes of them all; so many more begin so many colours later
 STRIPE = 12  # cells, along a row: the width of the rainbow's stripes

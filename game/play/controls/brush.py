@@ -68,8 +68,7 @@ class Brush:
     def materials(self):
         """The names of what can be painted in the world that is played, the eraser last."""
         codes = self._sessions.now.world.codes
-        forms = codes.forms or codes.names
-        names = dict.fromkeys(forms[code] for code in sorted(codes.filled | {codes.wall}))
+        names = dict.fromkeys(codes.told[code] for code in sorted(codes.filled | {codes.wall}))
         return (*names, ERASE)
 
     @property

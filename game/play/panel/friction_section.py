@@ -34,7 +34,7 @@ class FrictionSection:
 
     def __init__(self, sessions):
         self._sessions = sessions
-        self._seven_open = self._lean_open = False  # the folds of all probabilities, and of bias and schedule
+        self._all_open = self._lean_open = False  # the folds of all probabilities, and of bias and schedule
         self._turning = False  # a slider is being dragged, and what it sets is one act
         self._rule = None  # the rule that _p and _bias stand for
         self._p = self._bias = 0.0
@@ -53,8 +53,8 @@ class FrictionSection:
         ui.heading(rule.definition.title)
         changed, chances = rule, rule.definition.chances
         if len(chances) > MOST_OPEN:
-            self._seven_open = ui.fold(f"All {len(chances)} chances", self._seven_open, tip=CHANCES_TIP)
-        for each in chances if self._seven_open or len(chances) <= MOST_OPEN else ():
+            self._all_open = ui.fold(f"All {len(chances)} chances", self._all_open, tip=CHANCES_TIP)
+        for each in chances if self._all_open or len(chances) <= MOST_OPEN else ():
             default, now = usual.chances.get(each.name, each.default), rule.chances[each.name]
             words = each.meaning.capitalize()
             value = ui.slider(words, each, now, default=default, tip=f"{words}. {TIP}")
@@ -62,12 +62,8 @@ class FrictionSection:
                 with suppress(ValueError):  # outcomes of one event that are more than certain together: as it was
                     changed = changed.with_chances(**{each.name: value})
         self._lean_open = ui.fold("Schedule", self._lean_open, tip=SCHEDULE_TIP)
-        if self._lean_open:
-            names = list(SCHEDULES)
-            now = names.index(rule.schedule)
-            chosen = names[ui.choice("Schedule", [name.capitalize() for name in names], now, tip=SCHEDULE_TIP)]
-            changed = changed.with_schedule(chosen) if chosen != rule.schedule else changed
-        return changed
+        schedule = _choose_schedule(ui, rule) if self._lean_open else rule.schedule
+        return changed.with_schedule(schedule) if schedule != rule.schedule else changed
 
     def _of_sand(self, ui, rule, usual):
         """Show p and what can be folded away; return the rule as it is to be."""
@@ -86,9 +82,7 @@ class FrictionSection:
         """Show bias and schedule; return them as they are to be."""
         tip = "Makes grains favour the left side (below 0) or the right side (above 0)."
         bias = ui.slider("Bias", parameters.BIAS, self._bias, default=usual.bias, marks=(0.0,), tip=tip)
-        names = list(SCHEDULES)
-        now = names.index(rule.schedule)
-        return bias, names[ui.choice("Schedule", [name.capitalize() for name in names], now, tip=SCHEDULE_TIP)]
+        return bias, _choose_schedule(ui, rule)
 
     def _changed(self, rule, p, bias, schedule):
         """Return the rule with what was set, or itself."""
@@ -102,8 +96,8 @@ class FrictionSection:
         return changed
 
     def _seven(self, ui, rule, usual):
-        self._seven_open = ui.fold("All seven probabilities", self._seven_open, tip=SEVEN_TIP)
-        if not self._seven_open:
+        self._all_open = ui.fold("All seven probabilities", self._all_open, tip=SEVEN_TIP)
+        if not self._all_open:
             return rule
         for each in PROBABILITIES:
             before, after = BLOCKS[each.name]
@@ -116,3 +110,10 @@ class FrictionSection:
             if turned != value:
                 rule = replace(rule, **{each.name: turned})
         return rule
+
+
+def _choose_schedule(ui, rule):
+    """Show the schedules, and return the one that is to be."""
+    names = list(SCHEDULES)
+    now = names.index(rule.schedule)
+    return names[ui.choice("Schedule", [name.capitalize() for name in names], now, tip=SCHEDULE_TIP)]

@@ -18,7 +18,7 @@ class MotionSamples:
     """Where there was something that falls in the last iterations of one world. It never changes the world."""
 
     def __init__(self, substances=SAND):
-        self._substances = substances
+        self.substances = substances  # what the cells can hold
         self._trails = len(falling_substances(substances)) > 1
         self.samples = NO_SAMPLES  # (SAMPLES, PLANES, length) uint64
         self.trail = NO_SAMPLES[:, 0]  # four planes for each bit of the code of what fell last, if that may be several
@@ -40,7 +40,7 @@ class MotionSamples:
 
     def copy(self, world):
         """Return the same samples, as those of a copy of the world."""
-        twin = MotionSamples(self._substances)
+        twin = MotionSamples(self.substances)
         twin.samples, twin.trail, twin.moving = self.samples.copy(), self.trail.copy(), self.moving.copy()
         twin._world, twin._iteration, twin._stamp = world, self._iteration, world.activity.stamp
         return twin
@@ -80,7 +80,7 @@ class MotionSamples:
         if not self._knows(world) or world.iteration != self._iteration + 1:
             self._begin(world)
         else:
-            what = self._substances, world.planes, self.samples[world.iteration % SAMPLES], self.trail
+            what = self.substances, world.planes, self.samples[world.iteration % SAMPLES], self.trail
             stamps = activity.changed, self._stamp
             take_sample(*what, self.moving, *stamps, activity.band_rows * where.stride, where.stride)
         self._stamp, self._iteration = activity.stamp, world.iteration
@@ -93,14 +93,14 @@ class MotionSamples:
         """Take all samples to be what the world is now."""
         if self.samples.shape[2:] != (world.layout.length,):
             self.samples = bit_planes.empty(world.layout, SAMPLES * PLANES).reshape(SAMPLES, PLANES, -1)
-            self.trail = bit_planes.empty(world.layout, PLANES * self._substances.bits * self._trails)
+            self.trail = bit_planes.empty(world.layout, PLANES * self.substances.bits * self._trails)
         self._take_all(world, slice(None))
         self.moving = np.zeros(len(world.activity.changed), np.uint8)
         self._world = world
 
     def _take_all(self, world, words):
         """Take some words of all samples to be what the world is now."""
-        own = world.planes[: PLANES * self._substances.bits, words]
-        self.samples[:, :, words] = falling(self._substances, own.reshape(-1, PLANES, own.shape[1]))[0]
+        own = world.planes[: PLANES * self.substances.bits, words]
+        self.samples[:, :, words] = falling(self.substances, own.reshape(-1, PLANES, own.shape[1]))[0]
         if self._trails:
             self.trail[:, words] = own

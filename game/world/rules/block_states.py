@@ -9,8 +9,9 @@ import numpy as np
 
 from game.core.rule_table import CERTAIN, Claim, Outcome, RuleTable
 from game.world.rules.events import OwnNumber
-from game.world.rules.materials import WALL, sinks
+from game.world.rules.materials import sinks
 from game.world.rules.rule_text import RuleError
+from game.world.sand.material_codes import WALL_NAME
 
 _AXES = (3, 2, 1, 0)  # of the corners a b c d
 
@@ -49,7 +50,7 @@ def compiled(definition):
     return RuleTable(
         bits=compiler.bits,
         codes=len(definition.materials),
-        outside=definition.code(WALL),
+        outside=definition.code(WALL_NAME),
         slots=compiler.slots.names,
         layers=tuple(compiler.layer(layer) for layer in definition.layers),
     )
@@ -68,7 +69,7 @@ class _Compiler:
     def __init__(self, definition):
         self.materials, self.events = definition.materials, definition.events
         self.slots, self.bits = definition.slots, bits_of(definition)
-        self.side, self.wall = 2**self.bits, definition.code(WALL)
+        self.side, self.wall = 2**self.bits, definition.code(WALL_NAME)
         codes = range(self.side)
         known = self.materials
         used = np.arange(self.side) < len(known)
@@ -195,4 +196,10 @@ class _Compiler:
                 (each >> (self.bits * place)) & (self.side - 1) == self.wall for each in (states, results.T)
             )
             if (before != after[len(event.chances) :]).any():
-                raise RuleError(event.line, 0, f"event {event.name!r}", f"a change of {WALL}", f"{WALL} to stay {WALL}")
+                raise RuleError(
+                    event.line,
+                    0,
+                    f"event {event.name!r}",
+                    f"a change of {WALL_NAME}",
+                    f"{WALL_NAME} to stay {WALL_NAME}",
+                )

@@ -3,7 +3,7 @@
 import os
 import re
 from dataclasses import dataclass, field
-from functools import cached_property, lru_cache
+from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from weakref import WeakValueDictionary
 
@@ -99,6 +99,7 @@ class Definition:
         return next(code for code, each in enumerate(self.materials) if each.name == name)
 
 
+@cache
 def rule_names():
     """Return the names of the shipped rules: the files that have materials, the sand first."""
     files = asset("rules").glob("*.toml")

@@ -7,8 +7,9 @@ import numpy as np
 
 from game.core.rule_table import CERTAIN, corners, state_of
 from game.world.rules.block_states import matches_of
-from game.world.rules.materials import WALL, sinks
+from game.world.rules.materials import sinks
 from game.world.rules.rule_text import RuleError
+from game.world.sand.material_codes import WALL_NAME
 
 
 @dataclass(frozen=True)
@@ -118,7 +119,7 @@ def _book_kept(changes, book):
 
 
 def _outside_kept():
-    return Law(f"{WALL} is kept", True, "by every event")
+    return Law(f"{WALL_NAME} is kept", True, "by every event")
 
 
 def _left_is_right(changes):

@@ -4,12 +4,12 @@ import re
 from dataclasses import dataclass
 
 from game.world.files.checked_table import shown
+from game.world.sand.material_codes import WALL_NAME
 from game.world.sand.parameters import Knob
 
 MOST = 16  # a cell has four bits at most
 CLASSES = ("empty", "powder", "liquid", "gas", "solid")
 FLUIDS = ("empty", "liquid", "gas")
-WALL = "wall"  # what is outside the lattice
 EVERYTHING = "everything"
 DENSITY = Knob("density", 0, -1000, 1000, "", "what is denser sinks")
 CHANCE = Knob("chance", 1.0, 0.0, 1.0, "", "how likely it is")
@@ -47,15 +47,17 @@ def read_materials(section, chances):
     """Return the Materials of the RuleSection [materials] by code; `chances`: the names that their numbers may name."""
     if not 3 <= len(section.values) <= MOST:
         found = f"{len(section.values)} materials"
-        wanted = f"3 to {MOST}, as a cell has four bits: first the empty one, {WALL!r} and another"
+        wanted = f"3 to {MOST}, as a cell has four bits: first the empty one, {WALL_NAME!r} and another"
         raise section.error("", found, wanted)
     materials = [_read(section, name, chances) for name in section.values]
     _check_letters(section, materials)
     names = [each.name for each in materials]
     if [each.name for each in materials if each.kind == "empty"] != names[:1]:
         raise section.error(names[0], f"class {materials[0].kind!r}", "the one empty material first, and no other")
-    if WALL not in names or materials[names.index(WALL)].kind != "solid":
-        raise section.error(WALL, "none" if WALL not in names else "another class", f"a solid {WALL!r}: it is outside")
+    if WALL_NAME not in names or materials[names.index(WALL_NAME)].kind != "solid":
+        raise section.error(
+            WALL_NAME, "none" if WALL_NAME not in names else "another class", f"a solid {WALL_NAME!r}: it is outside"
+        )
     for each in materials:
         if each.form_of is not None and each.form_of not in set(names) - {each.name}:
             raise section.error(each.name, f"form_of {each.form_of!r}", f"another of {', '.join(names)}")

@@ -43,8 +43,9 @@ def coming_events(world, rule, box):
     found = [
         (row, column, state, after, p)
         for state in np.unique(states).tolist()
-        for p, after in _outcomes(rule, state)
+        if (outcomes := _outcomes(rule, state))
         for row, column in np.argwhere(states == state).tolist()
+        for p, after in outcomes
     ]
     rows, columns, before, after, chances = np.array(sorted(found), float).reshape(-1, 5).T
     top, first = box.top - above + y, box.left - left + x

@@ -127,7 +127,7 @@ class GrainAccount:
         Kinds that the rule keeps one by one are left as they are: there is nothing that could have made them.
         """
         alone = {kinds[0] for kinds in self.kept if len(kinds) == 1}
-        before = replace(self, formed_by_kind=NO_GRAINS, used_by_kind=NO_GRAINS)
+        before = self._unreacted()
         left = added(amounts, (-each for each in before.expected_by_kind))
         formed, used = split(0 if kind in alone else each for kind, each in enumerate(left))
         return replace(before, formed_by_kind=formed, used_by_kind=used)
@@ -138,6 +138,9 @@ class GrainAccount:
 
     def agrees(self, amounts):
         """Return whether there may be so many grains of each kind."""
-        before = replace(self, formed_by_kind=NO_GRAINS, used_by_kind=NO_GRAINS)
-        gone = added(before.expected_by_kind, (-each for each in amounts))
+        gone = added(self._unreacted().expected_by_kind, (-each for each in amounts))
         return all(sum(gone[kind] for kind in kinds) == 0 for kinds in self.kept)
+
+    def _unreacted(self):
+        """Return the account without what reactions have formed and used."""
+        return replace(self, formed_by_kind=NO_GRAINS, used_by_kind=NO_GRAINS)

@@ -32,12 +32,21 @@ class MaterialCodes:
         """Return the code of a material, or None if there is no such material."""
         return self.names.index(name) if name in self.names else None
 
+    @property
+    def told(self):
+        """For each code the name of the material that it is to the player."""
+        return self.forms or self.names
+
+    @property
+    def usual(self):
+        """The name of what fills a glass or comes from a tap where nothing else is said: sand, or what comes first."""
+        return SAND_NAME if SAND_NAME in self.names else self.names[min(self.filled)]
+
     def codes_of(self, name):
         """Return the codes that are one material to the player; raise ValueError if there is none of that name."""
-        forms = self.forms or self.names
-        if name not in forms:
-            raise ValueError(f"a material must be one of {', '.join(dict.fromkeys(forms))}, got {name!r}")
-        return frozenset(code for code, form in enumerate(forms) if form == name)
+        if name not in self.told:
+            raise ValueError(f"a material must be one of {', '.join(dict.fromkeys(self.told))}, got {name!r}")
+        return frozenset(code for code, form in enumerate(self.told) if form == name)
 
 
 SAND_CODES = MaterialCodes((AIR, SAND_NAME, WALL_NAME))

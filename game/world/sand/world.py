@@ -15,7 +15,6 @@ from game.world.sand import parameters
 from game.world.sand.active_bands import ActiveBands
 from game.world.sand.material_codes import EMPTY, SAND, SAND_CODES, SAND_NAME, WALL, WALL_NAME
 
-BITS_OF_SAND = 2  # of a code, in a world of sand
 RAINBOW_PACE = 192  # iterations until the rainbow's stripes have changed by one colour
 
 
@@ -128,7 +127,7 @@ class World:
             return self._filled(bit_planes.count(self.planes, self.layout, range(len(self.codes.names))))
         if not self.coloured:
             return (self.grains, *[0] * (RAINBOW - 1))
-        return bit_planes.count(self.planes, self.layout, _contents_of_sand(len(self.planes)))
+        return bit_planes.count(self.planes, self.layout, self._contents_of_sand())
 
     def copy(self):
         """Return a world of its own with the same cells, iteration and seed."""
@@ -237,8 +236,12 @@ class World:
         """Return the change in `amounts` that a Tally has counted."""
         if not self.codes.is_sand:
             return self._filled(tally.change[: len(self.codes.names)].tolist())
-        change = [int(tally.change[content]) for content in _contents_of_sand(len(self.planes))]
+        change = [int(tally.change[content]) for content in self._contents_of_sand()]
         return (*change, *[0] * (RAINBOW - len(change)))
+
+    def _contents_of_sand(self):
+        """Return the contents that are sand of each colour, in a world of sand."""
+        return range(SAND, 2 ** (len(self.planes) // 4), 2**self.layout.bits)
 
     def _filled(self, numbers):
         return tuple(number * (code in self.codes.filled) for code, number in enumerate(numbers))
@@ -273,11 +276,6 @@ class World:
 
 def _again(*parts):
     return World(*parts).copy()
-
-
-def _contents_of_sand(planes):
-    """Return the contents that are sand of each colour, in a world of sand of so many planes."""
-    return range(SAND, 2 ** (planes // 4), 2**BITS_OF_SAND)
 
 
 def codes_of(sand, walls):

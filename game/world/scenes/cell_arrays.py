@@ -7,11 +7,10 @@ import numpy as np
 
 from game.world.files.checked_table import shown
 from game.world.sand import parameters
-from game.world.sand.material_codes import SAND_CODES, MaterialCodes
+from game.world.sand.material_codes import EMPTY, SAND, SAND_CODES, WALL, MaterialCodes
 from game.world.sand.sand_colours import AMBER, DYED
 from game.world.scenes import picture_pixels
 
-EMPTY, SAND, WALL = 0, 1, 2  # numbers of cells in a scene of sand; coloured sand has those after them
 MARGIN = 16  # of 255: a pixel further than this from all colours of cells in any channel is guessed
 
 

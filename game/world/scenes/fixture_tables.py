@@ -19,9 +19,10 @@ def read_fixture(table, kind, codes=None):
     sizes = (table.number(key, SIDE, SIDE.default) for key in ("width", "height"))
     x, y = table.number("x", FIRST_CELL), table.number("y", FIRST_CELL)
     every, colour = table.number("every", parameters.EVERY, 1), table.choice("colour", DYES, AMBER)
-    poured = [codes.names[code] for code in sorted(codes.filled)] if codes else ()
-    usual = SAND_NAME if codes is None or SAND_NAME in poured else poured[0]
-    material = table.choice("material", poured, usual) if codes else table.line("material", usual)
+    if codes is None:
+        material = table.line("material", SAND_NAME)
+    else:
+        material = table.choice("material", [codes.names[code] for code in sorted(codes.filled)], codes.usual)
     return Fixture(kind, x, y, *sizes, every, colour, material if kind == TAP else SAND_NAME)
 
 

@@ -7,7 +7,6 @@ import numpy as np
 
 from game.world.rules.rule import Rule
 from game.world.sand import parameters
-from game.world.sand.material_codes import SAND_NAME
 from game.world.sand.parameters import Knob
 from game.world.scenes.hourglass import NECK, THICKNESS
 from game.world.scenes.hourglass_spec import SMALLEST, Glass
@@ -37,8 +36,7 @@ def scene_of(glass, rule=RULE, speed=parameters.SPEED.default):
 def cells_of(glass, codes):
     """Return the codes of a full Glass, (H, W) uint8, in a world of MaterialCodes: of sand, or of what comes first."""
     sand, walls = glass.cells()
-    content = codes.code(SAND_NAME) or min(codes.filled)
-    return np.where(sand, np.uint8(content), walls * np.uint8(codes.wall))
+    return np.where(sand, np.uint8(codes.code(codes.usual)), walls * np.uint8(codes.wall))
 
 
 def glass_within(width, height):

@@ -177,7 +177,7 @@ def _filling(table, palette):
     if palette.sands:
         return _sand(table, palette)
     names = [palette.names[code] for code in sorted(palette.codes.filled)]
-    return palette.number(table.choice("material", names, "sand" if "sand" in names else names[0]))
+    return palette.number(table.choice("material", names, palette.codes.usual))
 
 
 def _sand(table, palette):

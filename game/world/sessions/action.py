@@ -175,7 +175,7 @@ def _paint(paint, world):
     left, top, right, bottom = box(start, end)
     far = math.ceil(radius) + 1  # no cell that the brush reaches lies further from the ends
     before = Patch(world, (left - far, top - far, right + far, bottom + far))
-    if paint.material == "erase" and not paint.only and not paint.spray:
+    if paint.material == ERASE and not paint.only and not paint.spray:
         world.fixtures = tuple(each for each in world.fixtures if not is_under_brush(each, shape, start, end, radius))
     return world.stroke(start, end, paint.diameter, shape, ink), before.settle(world)
 
@@ -187,7 +187,7 @@ def _draw(draw, world):
     if ink is None:
         return NO_GRAINS, False
     before = Patch(world, cells)
-    if draw.material == "erase" and not draw.edge:
+    if draw.material == ERASE and not draw.edge:
         world.fixtures = tuple(each for each in world.fixtures if not is_in_figure(each, figure, cells))
     return world.figure(figure, cells, draw.edge, ink), before.settle(world)
 

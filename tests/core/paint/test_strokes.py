@@ -8,9 +8,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game import World
-from game.core.paint.ink import ANY, EMPTY, RAINBOW, SAND, WALL, Ink
+from game.core.paint.ink import ANY, RAINBOW, Ink
 from game.core.paint.primitives import ELLIPSE, RECTANGLE
 from game.core.paint.strokes import DIAMOND, ROUND, SQUARE
+from game.world.sand.material_codes import EMPTY, SAND, WALL
 from tests.cells import random_world
 
 steady = settings(derandomize=True, deadline=None, max_examples=60)
