@@ -43,6 +43,19 @@ def coloured(world, generator):
     return dyed
 
 
+def joined_to(cells, row, column):
+    """Return the places (row, column) that one is joined to, side by side, through cells like its own: a plain walk."""
+    reached, waiting = {(row, column)}, [(row, column)]
+    while waiting:
+        y, x = waiting.pop()
+        for near in ((y - 1, x), (y + 1, x), (y, x - 1), (y, x + 1)):
+            inside = 0 <= near[0] < cells.shape[0] and 0 <= near[1] < cells.shape[1]
+            if inside and near not in reached and cells[near] == cells[row, column]:
+                reached.add(near)
+                waiting.append(near)
+    return reached
+
+
 def small_glass(height):
     """Return a thin Glass of that height."""
     return Glass(round(0.75 * height), height, height // 12, 1, curve=0.95, wall=1)

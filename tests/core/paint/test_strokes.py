@@ -12,7 +12,7 @@ from game.core.paint.ink import ANY, RAINBOW, Ink
 from game.core.paint.primitives import ELLIPSE, RECTANGLE
 from game.core.paint.strokes import DIAMOND, ROUND, SQUARE
 from game.world.sand.material_codes import EMPTY, SAND, WALL
-from tests.cells import random_world
+from tests.cells import joined_to, random_world
 
 steady = settings(derandomize=True, deadline=None, max_examples=60)
 HEIGHT, WIDTH = 23, 147
@@ -89,14 +89,7 @@ def test_a_figure_is_what_lies_inside_its_outline_and_not_inside_a_smaller_one(k
 def test_a_fill_reaches_what_is_connected_side_by_side(number, column, row, crowd):
     world = random_world(np.random.default_rng(number), HEIGHT, WIDTH, sand=crowd, walls=0.1)
     kinds = kinds_of(world)
-    reached, waiting = {(row, column)}, [(row, column)]
-    while waiting:
-        y, x = waiting.pop()
-        for near in ((y - 1, x), (y + 1, x), (y, x - 1), (y, x + 1)):
-            inside = 0 <= near[0] < HEIGHT and 0 <= near[1] < WIDTH
-            if inside and near not in reached and kinds[near] == kinds[row, column]:
-                reached.add(near)
-                waiting.append(near)
+    reached = joined_to(kinds, row, column)
     material = (kinds[row, column] + 1) % 3
     world.fill(column, row, Ink(material))
     for place in reached:

@@ -15,7 +15,7 @@ from game.world.sand.fixtures import Fixture
 from game.world.sand.material_codes import MaterialCodes
 from game.world.sand.sand_colours import COLOURS
 from game.world.sessions.action import FIGURES, SHAPES, Draw, Fill, Paint, perform
-from tests.cells import strewn
+from tests.cells import joined_to, strewn
 
 steady = settings(
     derandomize=True, deadline=None, max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture]
@@ -194,14 +194,8 @@ def test_a_figure_gives_a_material_to_the_cells_that_take_it(rule, data, start, 
 @given(data=st.data(), column=st.integers(0, WIDTH - 1), row=st.integers(0, HEIGHT - 1), number=st.integers(0, 9))
 def test_a_fill_gives_a_material_to_what_is_connected_through_cells_of_one_code(rule, data, column, row, number):
     world = strewn(rule, number, HEIGHT, WIDTH, lumps=4)
-    cells, reached, waiting = world.materials, {(row, column)}, [(row, column)]
-    while waiting:
-        y, x = waiting.pop()
-        for near in ((y - 1, x), (y + 1, x), (y, x - 1), (y, x + 1)):
-            inside = 0 <= near[0] < HEIGHT and 0 <= near[1] < WIDTH
-            if inside and near not in reached and cells[near] == cells[row, column]:
-                reached.add(near)
-                waiting.append(near)
+    cells = world.materials
+    reached = joined_to(cells, row, column)
     material = data.draw(st.sampled_from(("erase", *rule.materials[1:])))
     for place in reached:
         cells[place] = 0 if material == "erase" else rule.materials.index(material)
