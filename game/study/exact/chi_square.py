@@ -43,7 +43,7 @@ def compare(states, chain, chances, cells):
     chi_square = float(((seen - wanted) ** 2 / wanted).sum()) if degrees else 0.0
     p_value = float(chi2.sf(chi_square, degrees)) if degrees else 1.0
     places = (chain.states[:, None] >> np.arange(cells, dtype=np.uint64)) & np.uint64(1)
-    cell_values = _cell_p_values(counts @ places.astype(int), chances @ places, runs)
+    cell_values = cell_p_values(counts @ places.astype(int), chances @ places, runs)
     return Agreement(runs, outside, chi_square, degrees, p_value, rest, rest_expected, cell_values)
 
 
@@ -57,7 +57,7 @@ def _count(states, known):
     return counts, int((~right).sum())
 
 
-def _cell_p_values(counts, densities, runs):
+def cell_p_values(counts, densities, runs):
     """Return the p-values of the counts of cells, without those where the chain leaves no choice and they are right."""
     full = densities > 0.5
     counts, densities = np.where(full, runs - counts, counts), np.where(full, 1.0 - densities, densities)

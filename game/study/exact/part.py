@@ -5,7 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 from scipy.stats import kstest
 
-from game.study.exact import randomness
+from game.study.exact import randomness, rules
 from game.study.exact.chi_square import smallest_of
 from game.study.exact.lattices import LATTICES
 from game.study.exact.markov_chain import SCHEDULES
@@ -44,6 +44,7 @@ def run(study):
         yield from _rule_rows(name, [each for each in outcomes if each.trial.probabilities == name])
     yield _least_likely(outcomes)
     yield Picture("exact-p-values", _drawing(outcomes), "p-values of all ensembles, in order; right is on the line.")
+    yield from rules.run(study)
     yield from randomness.run(study)
 
 
