@@ -8,9 +8,10 @@ import time
 from dataclasses import dataclass
 from pathlib import Path
 
-from game.study import hard_cases, physics, schedules
+from game.study import hard_cases, schedules
 from game.study.exact import part as exact
 from game.study.paper import part as paper
+from game.study.physics import part as physics
 from game.study.report.console import Terminal
 from game.study.report.markdown import write
 from game.study.report.report import DISAGREES, Report, Section, count_verdicts

@@ -5,7 +5,8 @@ import pytest
 
 from game import Rule, World, advance
 from game.study.paper.sticking import glass, stuck
-from game.study.physics import INTERVAL, PER_COLUMN, Hopper
+from game.study.physics.hopper import INTERVAL, Hopper
+from game.study.physics.part import PER_COLUMN
 from game.study.report.statistics import Sample, shape_of
 from game.study.trade import cell_sizes, part
 from game.study.trade.chance_settings import shortened

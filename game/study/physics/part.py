@@ -4,18 +4,16 @@ import numpy as np
 
 from game import Rule, World, advance
 from game.study.paper.settling import column
+from game.study.physics.hopper import Hopper
 from game.study.report import report
 from game.study.report.drawing import figure
 from game.study.report.report import Picture
 from game.study.report.statistics import Sample
 from game.study.report.table import Table
-from game.world.sand.measure import flow, grains_above, pile_heights, slope_degrees
+from game.world.sand.measure import pile_heights, slope_degrees
 
 TITLE = "6. Sand as physics"
 WIDTH, HEIGHT = 96, 200  # cells, of the hopper
-BELOW = 40  # rows under the neck
-CLEARED = 8  # rows under the neck that keep their sand
-INTERVAL = 24  # iterations between two clearings: a whole number of rounds, and fewer than a grain needs to the ground
 GRAINS = 900  # in a column that becomes a pile: 30 cells high
 LOOK = 200  # iterations between two looks at it
 NECKS = (2, 4, 6, 8, 12, 16, 24)  # cells
@@ -144,39 +142,3 @@ def _free_fall():
         fallen.append(int(np.flatnonzero(world.sand.any(axis=1))[0]))
     exponent, error = _exponent(times, fallen)
     return report.claimed("exponent of the fallen height in time", exponent, error, 1.9, 2.1, "real sand: ½gt²")
-
-
-class Hopper:
-    """A full box of sand of `height` rows over a funnel of 45 degrees that ends in a neck of `neck` cells."""
-
-    def __init__(self, width, height, neck, p, schedule="balanced", seed=1):
-        cone = (width - neck) // 2
-        self.row = height + cone + 1  # first row under the neck
-        self.rule = Rule.with_p(p, schedule)
-        axis = np.abs(np.arange(width) + 0.5 - width / 2)
-        inner = np.full(self.row + BELOW, width / 2)
-        inner[height : self.row] = neck / 2 + np.arange(cone, -1, -1)
-        walls = axis > inner[:, None]
-        sand = ~walls
-        sand[self.row :] = False
-        self.world = World.from_cells(sand, walls, seed)
-
-    @property
-    def grains(self):
-        """How many grains are above the neck."""
-        return grains_above(self.world, self.row)
-
-    def run(self, intervals):
-        """Let it flow for so many intervals; return the flow in grains per iteration."""
-        total = 0.0
-        for _ in range(intervals):
-            total += flow(self.world, self.rule, INTERVAL, self.row)
-            self._clear()
-        return total / intervals
-
-    def _clear(self):
-        """Take away what has left, which would pile up to the neck."""
-        sand, old = self.world.sand, self.world
-        sand[self.row + CLEARED :] = False
-        self.world = World.from_cells(sand, old.walls, old.seed)
-        self.world.iteration = old.iteration

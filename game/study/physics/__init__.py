@@ -1,0 +1,1 @@
+"""Sand as physics."""
