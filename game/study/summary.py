@@ -1,5 +1,6 @@
 """The summary: what the README of the study keeps of a report."""
 
+from game.study.physics.claims import CAPTION as CLAIMS
 from game.study.report.report import VERDICTS, Picture, count_verdicts
 from game.study.report.table import Table
 
@@ -40,12 +41,13 @@ DEFAULTS = (
 
 
 def summary(report):
-    """Return the items of the summary: counts of verdicts, the HEADLINES, the PICTURES and what follows."""
+    """Return the items of the summary: counts of verdicts, the HEADLINES, the CLAIMS, the PICTURES and what follows."""
     counts = [(section.title, *count_verdicts(section.rows).values()) for section in report.sections]
     return [
         LEGEND,
         Table.of("", ("part", *VERDICTS), counts),
         *(row for row in report.rows if row.quantity in HEADLINES),
+        *(item for item in report.items if isinstance(item, Table) and item.caption == CLAIMS),
         *(item for item in report.items if isinstance(item, Picture) and item.name in PICTURES),
         DEFAULTS,
     ]

@@ -5,8 +5,11 @@ import pytest
 
 from game import Rule, World, advance
 from game.study.paper.sticking import glass, stuck
+from game.study.physics.claims import CLAIMS, claim_table
+from game.study.physics.flow import PER_COLUMN
 from game.study.physics.hopper import INTERVAL, Hopper
-from game.study.physics.part import PER_COLUMN
+from game.study.physics.kinds import KINDS, ROLLING
+from game.study.report import report
 from game.study.report.statistics import Sample, shape_of
 from game.study.trade import cell_sizes, part
 from game.study.trade.chance_settings import shortened
@@ -16,18 +19,33 @@ from game.world.rules.rule import SCHEDULES
 
 @pytest.mark.parametrize("schedule", PER_COLUMN)
 @pytest.mark.parametrize("neck", [2, 7])
-def test_a_plug_falls_column_by_column_and_then_the_surface_flows_whatever_the_neck(schedule, neck):
-    hopper = Hopper(40 + neck % 2, 80, neck, 0.75, schedule)
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_plug_falls_column_by_column_and_then_the_surface_flows_whatever_the_neck(schedule, neck, kind):
+    hopper = Hopper(40 + neck % 2, 80, neck, kind.rule.with_schedule(schedule))
     assert hopper.run(2) == pytest.approx(neck * PER_COLUMN[schedule], rel=0.02)
     hopper.run(24)
     assert hopper.run(4) == pytest.approx(2 * PER_COLUMN[schedule])
 
 
-def test_a_hopper_loses_nothing_but_what_flows_out():
-    hopper = Hopper(40, 60, 4, 0.5)
+@pytest.mark.parametrize("rule", [Rule.with_p(0.5, "balanced"), ROLLING.rule])
+def test_a_hopper_loses_nothing_but_what_flows_out(rule):
+    hopper = Hopper(40, 60, 4, rule)
     before = hopper.grains
     left = round(INTERVAL * 3 * hopper.run(3))
     assert left > 0 and hopper.grains == before - left
+
+
+def test_what_of_real_sand_each_rule_bears_out_is_read_off_the_rows():
+    quantities = [each for told in CLAIMS.values() for each in told]
+    rows = [report.claimed(each, number, None, 0, 4, "real sand") for number, each in enumerate(quantities)]
+    table = claim_table(rows)
+    assert table.cells()[:3] == [
+        ["a heap of dry sand stands at 30-35°", "yes: 0", "yes: 1"],
+        ["an hourglass runs out to the last grain", "yes: 2", "yes: 3"],
+        ["the flow does not depend on how much is left", "yes: 4", "no: 5"],
+    ]
+    with pytest.raises(KeyError, match="final slope"):
+        claim_table(rows[1:])
 
 
 @pytest.mark.parametrize("schedule", SCHEDULES)

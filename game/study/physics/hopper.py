@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from game import Rule, World
+from game import World
 from game.world.sand.measure import flow, grains_above
 
 BELOW = 40  # rows under the neck
@@ -13,17 +13,17 @@ INTERVAL = 24  # iterations between two clearings: a whole number of rounds, and
 class Hopper:
     """A full box of sand of `height` rows over a funnel of 45 degrees that ends in a neck of `neck` cells."""
 
-    def __init__(self, width, height, neck, p, schedule="balanced", seed=1):
+    def __init__(self, width, height, neck, rule, seed=1):
         cone = (width - neck) // 2
         self.row = height + cone + 1  # first row under the neck
-        self.rule = Rule.with_p(p, schedule)
+        self.rule = rule
         axis = np.abs(np.arange(width) + 0.5 - width / 2)
         inner = np.full(self.row + BELOW, width / 2)
         inner[height : self.row] = neck / 2 + np.arange(cone, -1, -1)
         walls = axis > inner[:, None]
         sand = ~walls
         sand[self.row :] = False
-        self.world = World.from_cells(sand, walls, seed)
+        self.world = World.from_cells(sand, walls, seed).of(rule.codes)
 
     @property
     def grains(self):
@@ -40,7 +40,8 @@ class Hopper:
 
     def _clear(self):
         """Take away what has left, which would pile up to the neck."""
-        sand, old = self.world.sand, self.world
-        sand[self.row + CLEARED :] = False
-        self.world = World.from_cells(sand, old.walls, old.seed)
+        cells, old = self.world.materials, self.world
+        left = cells[self.row + CLEARED :]
+        left[left != old.codes.wall] = 0
+        self.world = World.of_codes(cells, old.codes, old.seed)
         self.world.iteration = old.iteration
