@@ -96,9 +96,14 @@ class Focus:
         """The control whose tip is to show now, or None."""
         return None if self.popup else self._rest.name
 
+    @property
+    def aim(self):
+        """What controls are told of the person, but for events."""
+        return self.hover, self.held, self.popup, self.hover and self.pointed_part(self.hover)
+
     def pointed_part(self, name):
         """Return the number of the part of a control that the pointer is over, or None where that tells nothing."""
-        if self._pointer is None or not self._pointing or name not in self.slots:
+        if self._pointer is None or not self._pointing or name not in self.slots or name != self.hover:
             return None
         place = self.place(self._pointer)
         return next((i for i, part in enumerate(self.slots[name].parts) if part.collidepoint(place)), None)

@@ -5,9 +5,11 @@
     ui.end(surface)                                   # draws, if anything looks different
 
 Controls only leave strokes, a value; end() compares them with the last frame's and draws when they differ.
+A control that is given what it was given in the last frame, in the same place, leaves the same strokes again.
 All of it, lists and tips too, stays inside the rect, so a frame that is not drawn is still right on the screen.
 """
 
+import functools
 import itertools
 from typing import NamedTuple
 
@@ -36,20 +38,40 @@ class WidgetState(NamedTuple):
     held: bool
 
 
+class _Kept(NamedTuple):
+    """What a control was given in the last frame, what it returned, and all that it left."""
+
+    given: tuple
+    value: object
+    slots: dict
+    strokes: list
+    state: tuple  # of the column below it
+
+
+def _kept(control):
+    """Return a control as a method of Ui that runs only where it is given something else than in the last frame."""
+
+    @functools.wraps(control)
+    def method(ui, *arguments, **how):
+        return ui.kept(control, arguments, how)
+
+    return method
+
+
 class Ui:
     """A panel and what it remembers from frame to frame: focus, scroll and what was drawn."""
 
-    heading = controls.heading
-    text = controls.text
-    button = controls.button
-    toggle = controls.toggle
-    fold = controls.fold
-    segmented = controls.segmented
-    grid = choice_grids.grid
-    swatches = choice_grids.swatches
-    slider = sliders.slider
-    slider_with_picture = sliders.slider_with_picture
-    choice = dropdown.choice
+    heading = _kept(controls.heading)
+    text = _kept(controls.text)
+    button = _kept(controls.button)
+    toggle = _kept(controls.toggle)
+    fold = _kept(controls.fold)
+    segmented = _kept(controls.segmented)
+    grid = _kept(choice_grids.grid)
+    swatches = _kept(choice_grids.swatches)
+    slider = _kept(sliders.slider)
+    slider_with_picture = _kept(sliders.slider_with_picture)
+    choice = _kept(dropdown.choice)
 
     def __init__(self, theme):
         self.theme = theme
@@ -57,7 +79,8 @@ class Ui:
         self.dirty = True  # the last end() drew something new
         self._drawn = None
         self._rect = pygame.Rect(0, 0, 0, 0)
-        self._cells = []  # (left, width) of the controls still to come in this row
+        self._cells = ()  # (left, width) of the controls still to come in this row
+        self._before, self._now = (), []  # what the last frame's controls left, and this one's, in their order
 
     def begin(self, rect, events, now_s=0.0, mouse_pos=None):
         """Start a frame in `rect` of the window; return the events that the panel leaves to others.
@@ -70,8 +93,10 @@ class Ui:
         self.focus.scroll.shortest = px(SHORTEST_THUMB)
         rest = self.focus.begin(self._rect, events, now_s, mouse_pos)
         self._y = self._row_bottom = px(PAD)
-        self._cells = []
+        self._cells = ()
         self._slots, self._strokes = {}, []
+        self._before, self._now = self._now, []
+        self._shared = self.theme, self._rect.width, self.focus.aim
         return rest
 
     def end(self, surface):
@@ -119,16 +144,27 @@ class Ui:
         """Let go of the control that a button holds: nobody may hear it come up."""
         self.focus.let_go()
 
-    def wants_mouse(self, pos):
-        """Say whether the pointer at `pos` belongs to the panel, so that it paints no sand there."""
-        return self.focus.owns(pos)
-
-    @property
-    def wants_keys(self):
-        """Whether a control of the panel has the keyboard."""
-        return self.focus.name is not None
-
     # --- what the controls ask ---
+
+    def kept(self, control, arguments, how):
+        """Return the value of a control: left as in the last frame where it is given the same, and no event."""
+        given = (
+            *(control, arguments, [*map(type, arguments)], how),  # of which 1 and 1.0 are equal
+            *(self._shared, self._state, [*self._slots]),
+        )
+        number, told = len(self._now), bool(self.focus.events)
+        last = self._before[number] if number < len(self._before) else None
+        if last is None or told or given != last.given:
+            slots, strokes = len(self._slots), len(self._strokes)
+            value = control(self, *arguments, **how)
+            left = dict(itertools.islice(self._slots.items(), slots, None)), self._strokes[strokes:], self._state
+            self._now.append(None if told else _Kept(given, value, *left))
+            return value
+        self._slots |= last.slots
+        self._strokes += last.strokes
+        self._y, self._row_bottom, self._cells = last.state
+        self._now.append(last)
+        return last.value
 
     @property
     def width(self):
@@ -145,12 +181,12 @@ class Ui:
         self._flush()
         gap = 2 * self.theme.px(BLEED)
         lefts = [round(i * (self.width + gap) / columns) for i in range(columns + 1)]
-        self._cells = [(left, right - gap - left) for left, right in itertools.pairwise(lefts)]
+        self._cells = tuple((left, right - gap - left) for left, right in itertools.pairwise(lefts))
         self._row_bottom = self._y
 
     def place(self, height, gap):
         """Return the next free rect of the column, with `gap` free pixels below."""
-        left, width = self._cells.pop(0) if self._cells else (0, self.width)
+        (left, width), self._cells = (self._cells[0], self._cells[1:]) if self._cells else ((0, self.width), ())
         rect = pygame.Rect(self.theme.px(PAD) + left, self._y, width, height)
         self._row_bottom = max(self._row_bottom, rect.bottom + gap)
         if not self._cells:
@@ -186,12 +222,17 @@ class Ui:
         """Add (paint function, rect, ...) to the drawing."""
         self._strokes.append(stroke)
 
+    @property
+    def _state(self):
+        """Where the next control will stand."""
+        return self._y, self._row_bottom, self._cells
+
     # --- drawing ---
 
     def _flush(self):
         """End a row whose cells were not all taken."""
         if self._cells:
-            self._cells, self._y = [], self._row_bottom
+            self._cells, self._y = (), self._row_bottom
 
     def _in_window(self, rect):
         return rect.move(self._rect.x, self._rect.y - self.focus.scroll.offset)

@@ -10,6 +10,7 @@ from game.world.sand import parameters
 
 SCENES = ["Hourglass", "Avalanche", "Rain", "Funnel", *(f"Scene {i}" for i in range(30))]
 WIDTH = 300
+PARAGRAPH = "One paragraph of several words that has to be wrapped to fit the narrow column."
 
 
 class Panel:
@@ -23,6 +24,7 @@ class Panel:
         self.pressed = []  # names of the buttons, in the order of their presses
         self.p, self.bias, self.speed, self.brush, self.fall_pair = 0.6, 0.0, 240, 6, 1.0
         self.scene, self.tool, self.over, self.folded_out, self.undo = 0, 0, False, True, False
+        self.names, self.paragraph = ("Save", "Load", "Help"), PARAGRAPH
         self.frame()
 
     def frame(self, *events, wait_s=0.0, mouse_pos=None):
@@ -44,9 +46,9 @@ class Panel:
         self.folded_out = ui.fold("More", self.folded_out)
         if self.folded_out:
             self.fall_pair = ui.slider_with_picture("Pair", PROBABILITIES[2], self.fall_pair, "oo..", "..oo")
-            ui.text("One paragraph of several words that has to be wrapped to fit the narrow column.", dim=True)
+            ui.text(self.paragraph, dim=True)
         ui.row(3)
-        for name in ("Save", "Load", "Help"):
+        for name in self.names:
             self._button(name)
         ui.end(self.surface)
         return rest

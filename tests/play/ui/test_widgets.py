@@ -1,15 +1,20 @@
 """The panel's laws: the mouse gets what it points at, the keyboard reaches all, nothing overlaps, idle is free."""
 
 import itertools
+import random
+from unittest import mock
 
 import pygame
 import pytest
 
+from game.play.ui.theme import Theme
+from game.play.ui.widgets import Ui
 from game.world.sand import parameters
-from tests.play.ui.sample_panel import SCENES, Panel, down, key, move, up, wheel
+from tests.play.ui.sample_panel import PARAGRAPH, SCENES, WIDTH, Panel, down, key, move, up, wheel
 
 SCALES = (0.75, 1.0, 1.5, 3.0)
 OUTSIDE = (700, 200)
+THEMES = Theme(1.0), Theme(1.03)
 
 
 # --- the mouse ---
@@ -30,7 +35,7 @@ def test_a_drag_goes_on_outside_of_the_panel_and_ends_at_the_release():
     panel.frame(down(panel.spot("p", 0.5)))
     assert panel.frame(move((OUTSIDE[0], 5))) == []
     assert panel.p == 1.0
-    assert panel.ui.wants_mouse(OUTSIDE)
+    assert panel.ui.focus.owns(OUTSIDE)
     panel.frame(move((-40, 800)))
     assert panel.p == 0.0
     assert panel.frame(up((-40, 800))) == []
@@ -102,7 +107,7 @@ def test_a_button_hears_each_of_two_quick_clicks():
 def test_a_disabled_button_neither_acts_nor_takes_focus():
     panel = Panel()
     panel.click(panel.ui.rects["Undo"].center)
-    assert panel.pressed == [] and not panel.ui.wants_keys
+    assert panel.pressed == [] and panel.ui.focus.name is None
     panel.undo = True
     panel.frame()
     panel.click(panel.ui.rects["Undo"].center)
@@ -126,14 +131,14 @@ def test_events_outside_of_the_panel_are_left_to_others():
     mouse = [move(OUTSIDE), wheel(1), down(OUTSIDE), up(OUTSIDE), down(OUTSIDE, 3), up(OUTSIDE, 3)]
     events = [*mouse, key(pygame.K_SPACE), key(pygame.K_ESCAPE)]
     assert panel.frame(*events) == events
-    assert not panel.ui.wants_mouse(OUTSIDE)
+    assert not panel.ui.focus.owns(OUTSIDE)
 
 
 def test_events_over_the_panel_are_its_own():
     panel = Panel()
     here = panel.ui.rects["p"].center
     assert panel.frame(move(here), wheel(1), down(here), up(here), down(here, 3), up(here, 3), down(here, 4)) == []
-    assert panel.ui.wants_mouse(here)
+    assert panel.ui.focus.owns(here)
 
 
 def test_a_stroke_begun_outside_goes_on_over_the_panel():
@@ -141,7 +146,7 @@ def test_a_stroke_begun_outside_goes_on_over_the_panel():
     over = panel.ui.rects["p"].center
     stroke = [down(OUTSIDE), move(over), up(over)]
     assert panel.frame(*stroke[:2]) == stroke[:2]
-    assert not panel.ui.wants_mouse(over)
+    assert not panel.ui.focus.owns(over)
     assert panel.frame(stroke[2]) == stroke[2:]
     assert panel.p == 0.6
 
@@ -169,16 +174,16 @@ def test_escape_drops_the_focus_and_is_the_panel_s_only_once():
     panel = Panel()
     panel.tab_to("p")
     escape = key(pygame.K_ESCAPE)
-    assert panel.frame(escape) == [] and not panel.ui.wants_keys
+    assert panel.frame(escape) == [] and panel.ui.focus.name is None
     assert panel.frame(escape) == [escape]
 
 
 def test_a_press_outside_drops_the_focus():
     panel = Panel()
     panel.click(panel.spot("p"))
-    assert panel.ui.wants_keys
+    assert panel.ui.focus.name is not None
     panel.click(OUTSIDE)
-    assert not panel.ui.wants_keys
+    assert panel.ui.focus.name is None
 
 
 def test_one_wheel_notch_scrolls_once_though_it_is_told_twice():
@@ -473,3 +478,46 @@ def test_the_same_events_give_the_same_values_and_pixels():
         return panel.p, panel.bias, panel.speed, pygame.image.tobytes(panel.surface, "RGB")
 
     assert play() == play()
+
+
+def any_event(hand, panel):
+    """Return something that a hand may do to a panel, or beside it."""
+    pos = hand.randrange(-20, panel.rect.right + 60), hand.randrange(0, panel.rect.height)
+    keys = pygame.K_TAB, pygame.K_RIGHT, pygame.K_DOWN, pygame.K_RETURN, pygame.K_ESCAPE, pygame.K_SPACE
+    return hand.choice((down(pos), up(pos), move(pos), move(pos), wheel(hand.choice((-1, 1))), key(hand.choice(keys))))
+
+
+def change(panel, hand):
+    """Change now and then what a panel shows, and where."""
+    change = hand.choice(("undo", "speed", "names", "paragraph", "width", "theme", *[""] * 18))
+    if change == "undo":
+        panel.undo = not panel.undo
+    elif change == "speed":
+        panel.speed = hand.choice((30, 30.0))
+    elif change == "names":
+        panel.names = hand.choice(("Save", "Help")), "Load", "Help"
+    elif change == "paragraph":
+        panel.paragraph = PARAGRAPH * hand.randrange(1, 4)
+    elif change == "width":
+        panel.rect.width = hand.choice((WIDTH, WIDTH + 40))
+    elif change == "theme":
+        panel.ui.theme = hand.choice(THEMES)
+
+
+@pytest.mark.parametrize("seed", (2, 3))
+def test_a_control_left_as_it_was_is_as_one_laid_out_anew(seed):
+    """One panel leaves what it left before wherever it can, another never."""
+    hands, seen = (random.Random(seed), random.Random(seed)), ([], [])
+    ways = Ui.kept, lambda ui, control, arguments, how: control(ui, *arguments, **how)
+    for hand, way, frames in zip(hands, ways, seen, strict=True):
+        panel = Panel(height=420)
+        with mock.patch.object(Ui, "kept", way):
+            for _ in range(150):
+                change(panel, hand)
+                events = [any_event(hand, panel) for _ in range(hand.choice((0, 0, 1, 2)))]
+                rest = panel.frame(*events, wait_s=hand.choice((0, 0.4)))
+                values = panel.p, panel.bias, panel.speed, panel.brush, panel.fall_pair, panel.scene, panel.tool
+                frames.append((len(rest), [(each, type(each)) for each in values], panel.over, panel.pressed[:]))
+                frames[-1] += panel.ui.rects, panel.ui.focus.tipped, pygame.image.tobytes(panel.surface, "RGB")
+    for kept, anew in zip(*seen, strict=True):
+        assert kept == anew
