@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from game import Rule, World, advance, load_scene
+from game import Rule, World, advance, load_rule, load_scene, rule_names
+from game.study import books
 from game.study.exact.lattices import LATTICES
 from game.study.exact.tiled_worlds import sand_and_walls
 from game.study.report import report
@@ -29,6 +30,7 @@ def run(study):
     """Yield the rows of this part."""
     yield ABOUT
     yield from _long_runs(study)
+    yield from _books(study)
     yield from _leaks(study.either(2_000, 200_000))
     yield from _necks()
     yield from _counters()
@@ -51,6 +53,11 @@ def _long_runs(study):
         quantity = f"grains after {iterations:,} iterations and {iterations // FLIP_AFTER:,} flips, {words}"
         yield report.same(quantity, world.grains, grains, CONSERVED)
         yield report.same(f"walls that changed meanwhile, {words}", int((world.walls != walls).sum()), 0, WALL)
+
+
+def _books(study):
+    for name in study.track(rule_names(), "books"):
+        yield from books.rows(load_rule(name), study.either(20_000, 10**6), SEED)
 
 
 def _leaks(iterations):

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from game import World, advance, load_rule
+from game.study import books
 from game.world.rules.definition import rule_names
 from game.world.sand.fixtures import Fixture
 from game.world.sessions.action import Clear, Draw, Fill, Flip, Paint, SetFixtures, Turn, perform
@@ -28,6 +29,26 @@ def test_what_a_rule_says_is_kept_is_kept_to_the_cell(rule, number):
     for _ in range(10):
         advance(world, rule, 300)
         assert kept(world, rule) == before and (world.walls == walls).all() and account.balanced(world)
+
+
+def test_sums_with_exceptions_change_one_way_only(rule):
+    laws = books.laws_of(rule)
+    followed = books.follow(rule, laws, 8 * books.LOOK, seed=3)
+    assert followed.looks == 8 and not followed.walls and not any(followed.broken.values())
+    kept = {law.codes for law in laws if not (law.may_fall or law.may_rise)}
+    assert kept == set(rule.definition.kept)
+
+
+def test_a_sum_that_is_not_kept_is_seen():
+    rule = load_rule("alchemy")
+    law = books.BookLaw("water", (rule.definition.code("water"),), False, False)
+    assert books.follow(rule, [law], books.LOOK, seed=3).broken == {"water": 1}
+
+
+def test_what_exceptions_may_do_to_a_sum_is_read_off_the_table():
+    laws = {law.words: (law.may_fall, law.may_rise) for law in books.laws_of(load_rule("alchemy"))}
+    down = (True, False)
+    assert laws == {"stone + lava": down, "sand": down, "salt + brine": (False, False), "oil": down, "acid": down}
 
 
 def random_act(rule, generator):
