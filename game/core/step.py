@@ -11,7 +11,7 @@ from game.core.chance import iteration_key, seed_stream
 from game.core.jit import call_pass, gate, kernel
 from game.core.planes import LINE
 
-BAND = 1024  # words of blocks in a band, about: with less, calls cost more than work; with more, less can be skipped
+BAND = 512  # words of blocks in a band, about: with less, calls cost more than work; with more, less can be skipped
 IN_CACHE = 65536  # words of planes that bands in flight may have together: 1/2 MiB, for the second cache
 CYCLE = 4  # iterations until every partition of a schedule has had its turn
 
@@ -121,7 +121,7 @@ def advance_planes(planes, shape, run, edges, quiet, changed, stamp, offsets, se
     length, rows, stride, band_rows = shape
     top, bottom = edges
     bits = len(run[1])
-    room, room_above = room_for(band_rows, stride, bits), room_for(1 if top else 0, stride, bits)
+    room = room_for(band_rows, stride, bits)
     skew = max(1, IN_CACHE // (4 * bits * band_rows * stride))
     stream, bands = seed_stream(seed), len(quiet)
     opened = np.zeros(bands, np.bool_)
@@ -140,11 +140,11 @@ def advance_planes(planes, shape, run, edges, quiet, changed, stamp, offsets, se
                 if x and not opened[band]:
                     open_lasting_seams(run, planes, length, stride, row, min(band_rows + 1, rows - row))
                     opened[band] = True
-                told = 0
-                if here > 0:
-                    told |= run_rows(run, planes, length, stride, y, x, row, row + y, here, row, key, room)
-                if top and y and band == 0:
-                    told |= run_rows(run, planes, length, stride, y, x, rows, 0, 1, -1, key, room_above)
+                upper, lower, number, told = row, row + y, row, 0
+                for _ in range(2 if top and y and band == 0 else 1):  # a loop: to compile the work twice takes seconds
+                    if here > 0:
+                        told |= run_rows(run, planes, length, stride, y, x, upper, lower, here, number, key, room)
+                    upper, lower, here, number = rows, 0, 1, -1  # the row of blocks that is half above the lattice
                 if told:
                     quiet[band] = 0
                     changed[band] = stamp

@@ -16,8 +16,8 @@ PAIRS = tuple(combinations(range(4), 2))
 class Covers:
     """Makes literals of sets of block states in a circuit; its first inputs are the bits of the corners' codes."""
 
-    def __init__(self, circuit, bits, codes):
-        self.circuit, self.bits, self.codes = circuit, bits, codes
+    def __init__(self, circuit, bits):
+        self.circuit, self.bits = circuit, bits
         self._known = {}
 
     def bit(self, corner, number):
@@ -34,35 +34,29 @@ class Covers:
     def _cover(self, wanted, unwanted):
         side = (2**self.bits,) * 4
         wanted, unwanted = wanted.reshape(side), unwanted.reshape(side)
-        parts = {(corner,): _shadow(wanted, (corner,)) for corner in range(4)}
-        pairs = {pair: _shadow(wanted, pair) for pair in PAIRS}
-        while (inside := _product(parts, unwanted)).any():
-            left = {pair: np.count_nonzero(inside & shadow) for pair, shadow in pairs.items()}
-            best = min(left, key=left.get, default=None)
-            if best is None or left[best] == np.count_nonzero(inside):
-                return self._split(wanted.ravel(), unwanted.ravel(), range(4))
-            parts[best] = pairs.pop(best)
-        for part in sorted(parts, key=len):
-            others = {each: shadow for each, shadow in parts.items() if each != part}
-            if not _product(others, unwanted).any():
-                parts = others
-        return self.circuit.all(self._part(part, parts) for part in sorted(parts))
+        parts = _parts(wanted, unwanted)
+        if parts is None:
+            return self._split(wanted.ravel(), unwanted.ravel(), range(4))
+        result = TRUE
+        for part in sorted(parts):
+            literal = self._part(part, wanted, _product({each: parts[each] for each in parts if each != part}, unwanted))
+            parts[part] = self._holds(literal)
+            result = self.circuit.and_(result, literal)
+        return result
 
-    def _part(self, part, parts):
-        """Return the literal of what a set of states shows of one corner or of two."""
-        shadow = parts[part]
+    def _part(self, part, wanted, unwanted):
+        """Return a literal on one corner or two, true for what states `wanted` show of them, false for those unwanted."""
         axes = tuple(3 - corner for corner in range(4) if corner not in part)
-        wanted = shadow.any(axis=axes).ravel()
-        possible = np.ones((2**self.bits,) * 4, bool)
-        for each, other in parts.items():
-            if each != part and set(each) < set(part):
-                possible &= other
-        used = _used(self.codes, self.bits, len(part)) & possible.any(axis=axes).ravel()
-        unwanted = ~wanted & used
+        wanted, unwanted = (states.any(axis=axes).ravel() for states in (wanted, unwanted))
         key = part, wanted.tobytes(), unwanted.tobytes()
         if key not in self._known:
-            self._known[key] = self._split(wanted & used, unwanted, part)
+            self._known[key] = self._split(wanted, unwanted, part)
         return self._known[key]
+
+    def _holds(self, literal):
+        """Return the states, indexed d c b a, for which a literal is true."""
+        states = np.unpackbits(self.circuit.table(literal).view(np.uint8), bitorder="little")
+        return states[: 2 ** (4 * self.bits)].astype(bool).reshape((2**self.bits,) * 4)
 
     def _split(self, wanted, unwanted, corners):
         """Return the literal of a set of states of some corners, split bit by bit, in the cheapest order tried."""
@@ -103,6 +97,24 @@ class Covers:
         return known[key]
 
 
+def _parts(wanted, unwanted):
+    """Return {corners: what states show of them} that together tell wanted and unwanted apart, or None."""
+    parts = {(corner,): _shadow(wanted, (corner,)) for corner in range(4)}
+    pairs = {}
+    while (inside := _product(parts, unwanted)).any():
+        pairs = pairs or {pair: _shadow(wanted, pair) for pair in PAIRS}
+        left = {pair: np.count_nonzero(inside & shadow) for pair, shadow in pairs.items() if pair not in parts}
+        best = min(left, key=left.get, default=None)
+        if best is None or left[best] == np.count_nonzero(inside):
+            return None
+        parts[best] = pairs[best]
+    for part in sorted(parts, key=len):
+        others = {each: shadow for each, shadow in parts.items() if each != part}
+        if not _product(others, unwanted).any():
+            parts = others
+    return parts
+
+
 def _number(flags):
     """Return bool flags as the bits of an int, the first flag lowest."""
     return int.from_bytes(np.packbits(flags.ravel(), bitorder="little").tobytes(), "little")
@@ -118,12 +130,3 @@ def _product(parts, states):
     for shadow in parts.values():
         states = states & shadow
     return states
-
-
-def _used(codes, bits, corners):
-    """Return which states of so many corners have codes in use only."""
-    used = np.arange(2**bits) < codes
-    found = used
-    for _ in range(corners - 1):
-        found = np.logical_and.outer(used, found).ravel()
-    return found

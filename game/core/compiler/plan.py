@@ -18,7 +18,7 @@ WATCHED = 100  # where events take more gates, it pays to look first for blocks 
 class Group(NamedTuple):
     """The blocks whose outcome, or an earlier one, is accepted where u is below the same threshold."""
 
-    level: int  # number of the outcome
+    level: int  # number of the outcome, of claims that have so many
     slots: tuple  # whose probabilities add up to the threshold
     blocks: int  # literal
 
@@ -27,7 +27,7 @@ class LayerPlan(NamedTuple):
     """The gates of a layer. Lists are by level, the number of an outcome."""
 
     event: int  # literal: some claim holds the block
-    sure: list  # literals: the outcome or an earlier one happens for sure
+    sure: list  # literals: the claim has such an outcome, and it or an earlier one happens for sure
     groups: list  # of Group
     deltas: list  # {(corner, bit): literal}, what the outcome inverts
     moves: list  # {(corner, source): literal}, whose content a corner takes
@@ -46,7 +46,8 @@ class Plan(NamedTuple):
 class _Piece(NamedTuple):
     """Claims that do the same by the same chance: states, and what follows for each level."""
 
-    states: np.ndarray
+    parts: tuple  # of arrays of states, one for each claim
+    states: np.ndarray  # all of them
     face: int | None
     chances: tuple  # for each outcome the slots whose probabilities add up, of a kind that is not NEVER or ALWAYS
     outcomes: tuple  # (after, effect) of each
@@ -58,7 +59,7 @@ def plan(table, kinds):
     used = np.zeros(table.states, bool)
     used[table.used_states] = True
     circuit = Circuit(inputs, np.tile(used, 2) if table.has_fair_bit else used)
-    covers = Covers(circuit, table.bits, table.codes)
+    covers = Covers(circuit, table.bits)
     fair = 4 * table.bits if table.has_fair_bit else None
     layers = tuple(_layer(table, layer, kinds, covers, used, fair) for layer in table.layers)
     many = len(circuit.cone([layer.event for layer in layers])) > WATCHED
@@ -105,19 +106,19 @@ def _layer(table, claims, kinds, covers, used, fair):
 
 def _keys(piece, level, kinds, bits):
     """Yield what a piece belongs to at a level: by chance, by what it changes, by what moves."""
-    slots = piece.chances[min(level, len(piece.chances) - 1)]
+    if level >= len(piece.outcomes):
+        return
+    slots, (after, effect) = piece.chances[level], piece.outcomes[level]
     if kinds[slots] == ALWAYS:
         yield ("sure",)
     elif kinds[slots] == CHANCE:
         yield "group", slots
-    if level < len(piece.outcomes):
-        after, effect = piece.outcomes[level]
-        for part in effect.parts:
-            if isinstance(part, Invert):
-                yield from (("flip", part.corner, number) for number in range(bits) if part.bits >> number & 1)
-            else:
-                yield type(part).__name__, *part
-        yield from (("move", *move) for move in moves_of(piece.states, after, effect, bits))
+    for part in effect.parts:
+        if isinstance(part, Invert):
+            yield from (("flip", part.corner, number) for number in range(bits) if part.bits >> number & 1)
+        else:
+            yield type(part).__name__, *part
+    yield from (("move", *move) for move in moves_of(piece.states, after, effect, bits))
 
 
 def _pieces(table, claims, kinds):
@@ -135,12 +136,12 @@ def _pieces(table, claims, kinds):
 
 def _joined(same):
     claim, chances, effects = same[0]
-    states = np.concatenate([each.states for each, _, _ in same]).astype(np.int64)
+    parts = tuple(each.states.astype(np.int64) for each, _, _ in same)
     afters = [
         np.concatenate([each.outcomes[level].after for each, _, _ in same]).astype(np.int64)
         for level in range(len(claim.outcomes))
     ]
-    return _Piece(states, claim.face, chances, tuple(zip(afters, effects, strict=True)))
+    return _Piece(parts, np.concatenate(parts), claim.face, chances, tuple(zip(afters, effects, strict=True)))
 
 
 def _claimed(table, pieces, covers, used, fair):
@@ -149,10 +150,8 @@ def _claimed(table, pieces, covers, used, fair):
     held = np.zeros((2, table.states), bool)
     literals, before, event = [], FALSE, FALSE
     for piece in pieces:
-        wanted = np.zeros(table.states, bool)
-        wanted[piece.states] = True
         free = held[piece.face] if piece.face is not None else held.all(axis=0)
-        here = covers.cover(wanted, used & ~wanted & ~free)
+        here = _covered(covers, piece, used & ~free)
         event = circuit.or_(event, here)
         if piece.face is not None:
             bit = circuit.input(fair)
@@ -162,6 +161,18 @@ def _claimed(table, pieces, covers, used, fair):
         for face in (0, 1) if piece.face is None else (piece.face,):
             held[face, piece.states] = True
     return literals, event
+
+
+def _covered(covers, piece, mattering):
+    """Return a literal that is true for the states of a piece, and false for others that matter, (states,) bool."""
+    unwanted = mattering.copy()
+    unwanted[piece.states] = False
+    found = []
+    for states in piece.parts:
+        wanted = np.zeros_like(unwanted)
+        wanted[states] = True
+        found.append(covers.cover(wanted, unwanted))
+    return covers.circuit.any(found)
 
 
 def _odd(table, pieces, literals, level, covers):

@@ -218,8 +218,9 @@ class _Pass:
         self.start(f"act{number}")
         accepted = self._decide(number, layer, free)
         self._act(number, layer, accepted)
-        moved_now = self.op("or", moved, accepted[-1])
-        free_now = self.op("and", free, self.inverse(accepted[-1]))
+        decided = self.any_of(accepted)
+        moved_now = self.op("or", moved, decided)
+        free_now = self.op("and", free, self.inverse(decided))
         after, self.values = self.block, outer
         self.line(f"br label %done{number}")
         self.start(f"done{number}")

@@ -59,7 +59,7 @@ def test_a_cover_is_true_where_wanted_and_false_where_not(bits):
     generator = np.random.default_rng(80)
     for share in (0.02, 0.3):
         circuit = Circuit(4 * bits, np.ones(2 ** (4 * bits), bool))
-        covers = Covers(circuit, bits, 2**bits)
+        covers = Covers(circuit, bits)
         wanted = generator.random(2 ** (4 * bits)) < share
         unwanted = ~wanted & (generator.random(len(wanted)) < 0.7)
         found = yields(circuit, covers.cover(wanted, unwanted))
