@@ -121,7 +121,7 @@ def advance_planes(planes, shape, run, edges, quiet, changed, stamp, offsets, se
     length, rows, stride, band_rows = shape
     top, bottom = edges
     bits = len(run[1])
-    room = room_for(band_rows, stride, bits)
+    room_here, room_above = room_for(band_rows, stride, bits), room_for(1 if top else 0, stride, bits)
     skew = max(1, IN_CACHE // (4 * bits * band_rows * stride))
     stream, bands = seed_stream(seed), len(quiet)
     opened = np.zeros(bands, np.bool_)
@@ -140,11 +140,12 @@ def advance_planes(planes, shape, run, edges, quiet, changed, stamp, offsets, se
                 if x and not opened[band]:
                     open_lasting_seams(run, planes, length, stride, row, min(band_rows + 1, rows - row))
                     opened[band] = True
-                upper, lower, number, told = row, row + y, row, 0
+                upper, lower, number, room, told = row, row + y, row, room_here, 0
                 for _ in range(2 if top and y and band == 0 else 1):  # a loop: to compile the work twice takes seconds
                     if here > 0:
                         told |= run_rows(run, planes, length, stride, y, x, upper, lower, here, number, key, room)
-                    upper, lower, here, number = rows, 0, 1, -1  # the row of blocks that is half above the lattice
+                    # then the row of blocks that is half above the lattice
+                    upper, lower, number, room, here = rows, 0, -1, room_above, 1
                 if told:
                     quiet[band] = 0
                     changed[band] = stamp

@@ -39,13 +39,14 @@ class Covers:
             return self._split(wanted.ravel(), unwanted.ravel(), range(4))
         result = TRUE
         for part in sorted(parts):
-            literal = self._part(part, wanted, _product({each: parts[each] for each in parts if each != part}, unwanted))
+            others = {each: shadow for each, shadow in parts.items() if each != part}
+            literal = self._part(part, wanted, _product(others, unwanted))
             parts[part] = self._holds(literal)
             result = self.circuit.and_(result, literal)
         return result
 
     def _part(self, part, wanted, unwanted):
-        """Return a literal on one corner or two, true for what states `wanted` show of them, false for those unwanted."""
+        """Return a literal on one corner or two, true for what `wanted` shows of them, and false for unwanted."""
         axes = tuple(3 - corner for corner in range(4) if corner not in part)
         wanted, unwanted = (states.any(axis=axes).ravel() for states in (wanted, unwanted))
         key = part, wanted.tobytes(), unwanted.tobytes()
