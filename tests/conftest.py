@@ -1,7 +1,9 @@
 """Let every test run without a display and without a sound card."""
 
 import os
+import sys
 import tempfile
+import uuid
 from pathlib import Path
 
 import pytest
@@ -10,6 +12,11 @@ from numba.core.dispatcher import Dispatcher
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
+
+if sys.dont_write_bytecode:  # then every process would compile every module anew: keep it, but away from the sources
+    sys.dont_write_bytecode, sys.pycache_prefix = False, str(Path(tempfile.gettempdir(), "sandglass-bytecode"))
+    os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+    os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
 
 try:
     import fcntl
@@ -33,8 +40,10 @@ Dispatcher.compile = compile_once
 
 
 @pytest.fixture(autouse=True)
-def own_folder(tmp_path, monkeypatch):
-    """Keep the user's real files out of reach."""
-    monkeypatch.setenv("SANDGLASS_DATA_DIR", str(tmp_path / "data"))
-    monkeypatch.setenv("SANDGLASS_CONFIG_DIR", str(tmp_path / "config"))
-    return tmp_path / "data"
+def own_folder(request, tmp_path_factory, monkeypatch):
+    """Keep the user's real files out of reach; the folders are made by the first who writes there."""
+    asks = "tmp_path" in request.fixturenames
+    folder = request.getfixturevalue("tmp_path") if asks else tmp_path_factory.getbasetemp() / uuid.uuid4().hex
+    monkeypatch.setenv("SANDGLASS_DATA_DIR", str(folder / "data"))
+    monkeypatch.setenv("SANDGLASS_CONFIG_DIR", str(folder / "config"))
+    return folder / "data"

@@ -10,7 +10,7 @@ corners are
 import math
 import re
 import tomllib
-from functools import lru_cache
+from functools import cache, lru_cache
 from pathlib import Path
 
 SCHEDULES = {
@@ -53,7 +53,7 @@ def event(a, b, c, d):
 
 
 class Pictures:
-    """A rule file, read anew for each block: every picture is laid on it in every way until one fits."""
+    """A rule file: on a block every picture is laid in every way until one fits."""
 
     def __init__(self, path, **chances):
         self.file = tomllib.loads(Path(path).read_text())
@@ -67,8 +67,13 @@ class Pictures:
         for file in files:
             for name, value in file.get("chances", {}).items():
                 self.chances[name] = chances.get(name, value["value"] if isinstance(value, dict) else value)
-        self.events = [(event, file.get("any", {})) for file in files for event in file.get("event", ())]
+        self.events = [
+            (event, {sign: self._letters(words) for sign, words in file.get("any", {}).items()})
+            for file in files
+            for event in file.get("event", ())
+        ]
         self.laid = [_laid(event) for event, _ in self.events]  # pictures in all their places, drawn once
+        self.draws = cache(self.draws)  # of a block once, however often it comes
 
     def draws(self, block, coin):
         """Return for each layer in which an event claims the block (layer, [(probability, block after), ...])."""
@@ -88,7 +93,7 @@ class Pictures:
         found = {}
         for coin in (0, 1):
             left = 0.5
-            for _, claim in self.draws(block, coin):
+            for _, claim in self.draws(tuple(block), coin):
                 for p, after in claim:
                     found[after] = found.get(after, 0.0) + left * p
                 left *= 1.0 - sum(p for p, _ in claim)
@@ -113,19 +118,22 @@ class Pictures:
         """Return which letter each sign of a picture stands for in a block, or None where it does not fit."""
         meant = {}
         for sign, cell in zip(before, block, strict=True):
-            if sign != "?" and not (self._is_one_of(cell, sign, groups) and meant.setdefault(sign, cell) == cell):
+            if sign != "?" and not (cell in groups.get(sign, sign) and meant.setdefault(sign, cell) == cell):
                 return None
         return meant
 
-    def _is_one_of(self, letter, sign, groups):
-        if sign not in groups:
-            return letter == sign
-        name, inside = self.letters[letter], False
-        for word in groups[sign].split(","):
+    def _letters(self, words):
+        """Return the letters that a sign stands for: those of names and classes, from left to right."""
+        found = set()
+        for word in words.split(","):
             word, but = word.strip().removeprefix("but ").strip(), word.strip().startswith("but ")
-            if word in ("everything", name, self.materials[name]["class"]):
-                inside = not but
-        return inside
+            those = {
+                letter
+                for letter, name in self.letters.items()
+                if word in ("everything", name, self.materials[name]["class"])
+            }
+            found = found - those if but else found | those
+        return found
 
     def _holds(self, condition, meant):
         upper, words, lower = re.fullmatch(r"(.) (sinks in|rests on) (.)", condition).groups()
@@ -272,7 +280,7 @@ def _outcome_of_sand(block, probabilities, place):
 
 def _outcome_of_pictures(block, pictures, place):
     coin = fair_bit(*place)
-    for layer, claim in pictures.draws(block, coin):
+    for layer, claim in pictures.draws(tuple(block), coin):
         chances = []
         for p, after in claim:
             chances.append(p)

@@ -12,7 +12,7 @@ QUOTED = re.compile(  # texts and comments, also those without an end
     r"#[^\n]*+",
     re.DOTALL,
 )
-DEEP = re.compile(rf"[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{DEEPEST}}}")
+DEEP = re.compile(rf"(?<![\w-])[\w-]++(?:[ \t]*+\.[ \t]*+[\w-]++){{{DEEPEST}}}")
 
 
 def parse_toml(text):

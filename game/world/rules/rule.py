@@ -2,7 +2,10 @@
 
 from collections import defaultdict
 from dataclasses import dataclass, replace
+from functools import lru_cache
 from types import MappingProxyType
+
+import numpy as np
 
 from game.core.rule_table import CERTAIN, corners, state_of
 from game.world.files.paths import asset
@@ -176,8 +179,18 @@ def load_rule(name_or_path):
 
 def _claims_of(table, state, face):
     """Yield the claim of each layer on a state, where the fair bit is `face`."""
-    for layer in table.layers:
-        for claim in layer:
-            at = claim.states.searchsorted(state)
-            if claim.face in (None, face) and at < len(claim.states) and claim.states[at] == state:
-                yield claim
+    claims, states, numbers = _claims_by_state(table)
+    first, end = states.searchsorted(state), states.searchsorted(state, "right")
+    for number in numbers[first:end].tolist():
+        if claims[number].face in (None, face):
+            yield claims[number]
+
+
+@lru_cache(maxsize=8)
+def _claims_by_state(table):
+    """Return the claims of all layers, every state of theirs in order, and the number of the claim that it is of."""
+    claims = [claim for layer in table.layers for claim in layer]
+    states = np.concatenate([claim.states for claim in claims] or [np.zeros(0, np.int64)])
+    numbers = np.repeat(np.arange(len(claims)), [len(claim.states) for claim in claims])
+    order = states.argsort(kind="stable")
+    return claims, states[order], numbers[order]
