@@ -1,4 +1,4 @@
-"""The command line: play, headless, rule, bench and study."""
+"""The command line: play, headless, rule, export, bench and study."""
 
 import argparse
 import sys
@@ -50,6 +50,8 @@ def _command(arguments):
         return _headless(options) if options.replay is None else _replay(options)
     if arguments[:1] == ["rule"]:
         return _rule(_rule_parser().parse_args(arguments[1:]))
+    if arguments[:1] == ["export"]:
+        return _export(_export_parser().parse_args(arguments[1:]))
     if arguments[:1] == ["bench"]:
         return _bench(_bench_parser().parse_args(arguments[1:]))
     if arguments[:1] == ["study"]:
@@ -115,7 +117,7 @@ def _play_parser():
         prog="sandglass",
         description="A falling-sand toy: paint sand and walls, and turn the glass over.",
         epilog="other commands: headless (time frames without a window), rule (read a rule and check it), "
-        "bench (measure the speed), study (check the model); each has its own --help",
+        "export (a rule as a C header), bench (measure the speed), study (check the model); each has its own --help",
     )
     _scene_options(parser)
     parser.add_argument("--replay", metavar="FILE", help="play a recorded session")
@@ -153,6 +155,29 @@ def _rule_parser():
     )
     parser.add_argument("rule", metavar="NAME|FILE", help="a shipped rule or a rule file")
     parser.add_argument("--out", type=Path, metavar="FILE.png", help="draw it in a picture instead")
+    return parser
+
+
+def _export_parser():
+    parser = _Parser(
+        prog="sandglass export",
+        description="Write a rule as one C header for any engine, which moves every cell as Sandglass does.",
+    )
+    parser.add_argument(
+        "--rule", metavar="NAME|FILE", help="a shipped rule or a rule file (default: that of the scene, or sand)"
+    )
+    parser.add_argument(
+        "--scene",
+        metavar="NAME|FILE",
+        help="what it starts with: a shipped scene, a scene file or a picture (default: a small hourglass)",
+    )
+    parser.add_argument(
+        "--out",
+        type=Path,
+        required=True,
+        metavar="DIR",
+        help="where sandglass.h, example.c and README.md go; a file there that no export wrote is left as it is",
+    )
     return parser
 
 
@@ -262,6 +287,17 @@ def _rule(options):
 
             print("\n".join(description(rule)))
     except (RuleError, FileError) as error:
+        return _refuse(error)
+    return 0
+
+
+def _export(options):
+    from game.export import command
+    from game.world.files.atomic import FileError
+
+    try:
+        print("\n".join(command.run(options.rule, options.scene, options.out)))
+    except FileError as error:
         return _refuse(error)
     return 0
 

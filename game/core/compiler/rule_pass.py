@@ -45,8 +45,18 @@ def pass_of(table, probabilities, payload=0, most_lanes=None):
     outside = np.array([(2**64 - 1) * (table.outside >> bit & 1) for bit in range(total)], np.uint64)
     turned = {bit for layer in made.plan.layers for level in layer.deltas for _, bit in level}
     changing = np.array([bit in turned or bit >= table.bits for bit in range(total)])
-    edges = _events_beside(table, (0, 1)), _events_beside(table, (2, 3))
-    return Pass(made.code, chances, outside, changing, table.outside, edges, made.lanes)
+    return Pass(made.code, chances, outside, changing, table.outside, edges_of(table), made.lanes)
+
+
+@lru_cache(maxsize=KEPT)
+def gates_of(table, kinds):
+    """Return the Plan of a RuleTable; kinds: the items of what `kinds_of` returns."""
+    return plan(table, dict(kinds))
+
+
+def edges_of(table):
+    """Return whether blocks whose upper, and whose lower corners are outside have events: two bools."""
+    return _events_beside(table, (0, 1)), _events_beside(table, (2, 3))
 
 
 class _CompiledRule(NamedTuple):
@@ -58,7 +68,7 @@ class _CompiledRule(NamedTuple):
 @lru_cache(maxsize=KEPT)
 def _compiled(table, kinds, payload, most_lanes):
     """Return what is the same for all probabilities of the same kinds."""
-    gates = plan(table, dict(kinds))
+    gates = gates_of(table, kinds)
     for at_once in dict.fromkeys((most_lanes, 1)):
         code = MachineCode(source(gates, at_once, payload), NAME)
         if self_check.agrees(code.address, table, gates, dict(kinds), payload, at_once):

@@ -1,0 +1,1 @@
+"""A rule as a C header, for other engines."""

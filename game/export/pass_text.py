@@ -1,0 +1,158 @@
+"""A plan as C: functions that run one layer of an iteration on the blocks of many words, one after the other.
+
+What they do is what `game.core.compiler.vector_ir` does, with all thresholds as data: any chance may come to be 0 or 1.
+A layer has a function of its own, as the code of all of them together would not stay in a processor's nearest cache.
+"""
+
+from itertools import pairwise
+
+from game.core.compiler.circuit import FALSE
+from game.export.c_text import WIDTH, listed
+from game.export.gates import CORNERS, GateText, declared
+
+LAYER = """\
+/* Layer {number}: {name}. */
+static int sg_layer_{number}(const sandglass *world, uint64_t *const *from, uint64_t *blocks, uint64_t place,
+                       uint32_t size)
+{{
+    uint64_t
+{streams};
+    {digits}uint32_t i;
+    int told = 0;
+    sg_word origin = sg_lanes(place, SG_STEP);
+    for (i = 0; i < size; i += SG_LANES, origin += SG_LANES * SG_STEP) {{
+{loads}
+        const sg_word open = SG_LOAD(blocks + i);
+{body}    }}
+    return told;
+}}
+"""
+PASS = """\
+static int sg_pass(const sandglass *world, uint64_t *const *from, uint64_t *blocks, uint64_t place, uint32_t size)
+{
+    int told = 0;
+"""
+
+
+def pass_text(plan, layer_names):
+    """Return the C functions of a Plan: one for each layer, and sg_pass."""
+    first, told = 0, []
+    last = max((number for number, layer in enumerate(plan.layers) if layer.event != FALSE), default=-1)
+    text = ""
+    for number, layer in enumerate(plan.layers):
+        if layer.event != FALSE:
+            text += _LayerText(plan, number, number < last).text(layer_names[number], first) + "\n"
+            told.append(f"    told |= sg_layer_{number}(world, from, blocks, place, size);\n")
+        first += len(layer.groups)
+    return f"{text}{PASS}{''.join(told)}    return told;\n}}\n"
+
+
+class _LayerText:
+    """Writes the function of a layer; `is_followed`: whether later ones ask which blocks are left."""
+
+    def __init__(self, plan, number, is_followed):
+        self.plan, self.number, self.layer = plan, number, plan.layers[number]
+        self.is_followed = is_followed
+        self.gates = GateText(plan)
+
+    def text(self, name, first_group):
+        streams = [f"{letter}{bit}" for letter in CORNERS for bit in range(self.plan.bits)]
+        places = [f"*const at_{each} = from[{n}]" for n, each in enumerate(streams)]
+        digits = f"const uint64_t *const digits = world->digits + {first_group} * SG_DIGITS;\n    "
+        return LAYER.format(
+            number=self.number,
+            name=name,
+            streams=listed(places, 8),
+            digits=digits if self.layer.groups else "(void)world;\n    ",
+            loads="\n".join(declared([f"{each} = SG_LOAD(at_{each} + i)" for each in streams], " " * 8)),
+            body="".join(f"{line}\n" for line in self._body()),
+        )
+
+    def _body(self):
+        indent, layer = " " * 8, self.layer
+        lines = []
+        if self.plan.watch is not None:
+            lines += self.gates.declarations([self.plan.watch], indent)
+            lines += [f"{indent}if (!sg_any({self.gates.literal(self.plan.watch)} & open)) continue;"]
+        lines += self.gates.declarations([layer.event], indent)
+        lines += [f"{indent}if (!sg_any({self.gates.literal(layer.event)} & open)) continue;"]
+        lines += [f"{indent}told = 1;", *self._decide(indent)]
+        yes = [f"yes{level}" for level in range(len(layer.sure))]
+        lines += [f"{indent}if (!sg_any({yes[-1]})) continue;"]
+        if self.is_followed:
+            lines += [f"{indent}SG_STORE(blocks + i, open & ~{yes[-1]});"]
+        return lines + self._act(yes, indent)
+
+    def _decide(self, indent):
+        """Return the lines that say in which blocks an outcome happens."""
+        layer, groups = self.layer, self.layer.groups
+        wanted = [*layer.sure, *(group.blocks for group in groups)]
+        changes = [literal for level in layer.deltas for literal in level.values()]
+        lines = []
+        if self.plan.fair is not None and self.plan.circuit.uses([*wanted, *changes], self.plan.fair):
+            lines += [f"{indent}const sg_word fair = sg_mix(origin + SG_FAIR_STEP);"]
+        lines += self.gates.declarations(wanted, indent)
+        lines += declared([f"group{at} = {self.gates.literal(each.blocks)}" for at, each in enumerate(groups)], indent)
+        levels = range(len(layer.sure))
+        sure = [f"yes{level} = {self.gates.literal(layer.sure[level])} & open" for level in levels]
+        lines += [f"{indent}sg_word {', '.join(sure)};"]
+        if groups:
+            lines += self._draw(indent)
+        return lines + [f"{indent}yes{high} |= yes{low};" for low, high in pairwise(levels)]
+
+    def _draw(self, indent):
+        """Return the loop that compares random numbers with thresholds, digit by digit."""
+        own = {}
+        for at, group in enumerate(self.layer.groups):
+            own.setdefault(group.level, []).append(at)
+        lines = []
+        for level, groups in own.items():
+            lines += _or(f"{indent}sg_word rest{level} = open & (", [f"group{at}" for at in groups], ");")
+        rests = " | ".join(f"rest{level}" for level in own)
+        step = f" + {self.number} * SG_LAYER_STEP" if self.number else ""
+        lines += [
+            f"{indent}sg_word draw = origin{step};",
+            f"{indent}uint32_t digit = world->first_digit[{self.number}];",
+            f"{indent}for (; digit <= world->last_digit[{self.number}] && sg_any({rests}); digit++) {{",
+            f"{indent}    const uint64_t *const ones = digits + {len(self.layer.groups)} * digit;",
+            f"{indent}    sg_word random = draw ^ draw; /* before the first digit below 1 comes that of 1 itself */",
+            f"{indent}    if (digit) {{",
+            f"{indent}        random = sg_mix(draw);",
+            f"{indent}        draw += SG_GOLDEN;",
+            f"{indent}    }}",
+        ]
+        for level, groups in own.items():
+            terms = [f"(group{at} & ones[{at}])" for at in groups]
+            lines += _or(f"{indent}    const sg_word bound{level} = ", terms, ";")
+            lines += [
+                f"{indent}    yes{level} |= rest{level} & bound{level} & ~random;",
+                f"{indent}    rest{level} &= ~(random ^ bound{level});",
+            ]
+        return [*lines, f"{indent}}}"]
+
+    def _act(self, yes, indent):
+        """Return the lines that store what the outcomes change."""
+        deltas = self.layer.deltas
+        own = [yes[0], *(f"({now} & ~{before})" for before, now in pairwise(yes))]
+        lines = self.gates.declarations([literal for level in deltas for literal in level.values()], indent)
+        for corner, bit in sorted({key for level in deltas for key in level}):
+            terms = [
+                f"({mine} & {self.gates.literal(delta[corner, bit])})"
+                for mine, delta in zip(own, deltas, strict=True)
+                if (corner, bit) in delta
+            ]
+            stream = f"{CORNERS[corner]}{bit}"
+            lines += [f"{indent}SG_STORE(at_{stream} + i, {stream} ^ ({' | '.join(terms)}));"]
+        return lines
+
+
+def _or(head, terms, tail):
+    """Return the lines of an or of many terms."""
+    lines, line = [], head + terms[0]
+    for term in terms[1:]:
+        if len(line) + len(term) + 5 > WIDTH:
+            lines.append(f"{line} |")
+            line = " " * (len(head) - len(head.lstrip()) + 4) + term
+        else:
+            line += f" | {term}"
+    return [*lines, line + tail]
