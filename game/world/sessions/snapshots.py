@@ -27,7 +27,8 @@ class Snapshot:
         self.layout, self.world_iteration, self.seed = world.layout, world.iteration, world.seed
         self.fixtures, self.codes = world.fixtures, world.codes
         still = slice(WALLS, PLANES if world.codes.is_sand else WALLS)
-        self.moving, walls = np.delete(world.planes, still, axis=0), world.planes[still]
+        self.moving = np.concatenate([world.planes[: still.start], world.planes[still.stop :]])
+        walls = world.planes[still]
         same = (known for known in known_walls if np.array_equal(known, walls))
         self.walls = next(same, None)
         if self.walls is None:
@@ -44,9 +45,9 @@ class Snapshot:
 def nearest(act, now):
     """Return the latest Snapshot from which iteration `now` after `act` is reached by computing forward, or None."""
     while act is not None:
-        for snapshot in sorted(act.snapshots, key=lambda each: each.now, reverse=True):
-            if snapshot.now <= now:
-                return snapshot
+        before = [each for each in act.snapshots if each.now <= now]
+        if before:
+            return max(before, key=lambda each: each.now)
         now, act = act.at, act.before
     return None
 

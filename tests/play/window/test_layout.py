@@ -1,5 +1,6 @@
 """The layout: every part has a place of its own, and the first window is as large as suits the screen."""
 
+from functools import cache
 from itertools import combinations, product
 
 import pygame
@@ -11,9 +12,11 @@ from game.play.window.layout import LARGEST, WindowLayout, first_scale, first_si
 from game.play.window.window import Window
 from game.world.files.settings import Settings
 from game.world.looks.view import View
-from game.world.scenes.scene import load_scene, scene_names
+from game.world.scenes import scene
+from game.world.scenes.scene import scene_names
 
 DESKTOPS = (640, 480), (1280, 720), (1280, 800), (1920, 1080), (2560, 1440), (3840, 2160), (7680, 4320)
+load_scene = cache(scene.load_scene)  # which takes longer than to lay one out
 SCENES = [name for name in scene_names() if name != "fullhd"]
 
 

@@ -1,6 +1,8 @@
 """The chain: right by hand, by the plain twin's table and in fractions; and the lattices show all there is to see."""
 
+import math
 from fractions import Fraction
+from functools import cache
 from itertools import product
 
 import numpy as np
@@ -75,18 +77,22 @@ def test_float_chances_are_those_in_fractions(name, schedule):
     found = explore(LATTICES[name], SCHEDULES[schedule])
     exact = {0: Fraction(1)}
     p = [Fraction(each) for each in SEVEN]
+
+    @cache
+    def weight(happened, failed):
+        ways = zip(p, happened, failed, strict=True)
+        return math.prod((each**yes * (1 - each) ** no for each, yes, no in ways), start=Fraction(1))
+
     *_, last = found.distributions(SEVEN, 7)
     for iteration in range(7):
         moves, after = found.moves[iteration % len(found.moves)], {}
         ways = {}
-        for way in zip(moves.source.tolist(), moves.target.tolist(), moves.happened, moves.failed, strict=True):
-            ways.setdefault(way[0], []).append(way[1:])
+        counts = (map(tuple, each.tolist()) for each in (moves.happened, moves.failed))
+        for source, target, *way in zip(moves.source.tolist(), moves.target.tolist(), *counts, strict=True):
+            ways.setdefault(source, []).append((target, weight(*way)))
         for state, chance in exact.items():
-            for target, happened, failed in ways[state]:
-                weight = chance
-                for each, yes, no in zip(p, happened.tolist(), failed.tolist(), strict=True):
-                    weight *= each**yes * (1 - each) ** no
-                after[target] = after.get(target, 0) + weight
+            for target, share in ways[state]:
+                after[target] = after.get(target, 0) + chance * share
         exact = after
     assert sum(exact.values()) == 1
     assert all(last[state] == pytest.approx(float(chance), rel=1e-12, abs=0) for state, chance in exact.items())
