@@ -2,13 +2,16 @@
 
 import numpy as np
 
-from game.study.peers import numpy_blocks
+from game.study.peers import numpy_blocks, table_blocks
+from game.study.peers.block_table import block_table, loop_chances
 from game.study.peers.lattice import lattice, sand
 from game.world.rules.rule import Rule
 from game.world.sand.advance import advance
 
 WORK = 200_000_000  # cells × iterations of one check: the twin takes about a second for them, and longer for chance
-SHORTEST = 8  # iterations: each schedule has then used all its partitions twice
+TABLE_WORK = 8_000_000  # the same for the twin of any rule
+FEWEST = 4  # iterations: each schedule has then used all its partitions
+SHORTEST = 2 * FEWEST  # the same for sand
 
 
 class WrongCellsError(Exception):
@@ -60,6 +63,34 @@ def peer_same_as_ours(peer, world, rule, most):
         advance(ours, known, iterations)
         _compare(peer.name, sand(theirs), ours.sand, world.shape, iterations)
     return iterations
+
+
+def same_as_table_twin(world, rule, most):
+    """Return for how many iterations `advance` and the twin of any rule agree from `world` on."""
+    iterations = _iterations_of_any(world, most)
+    twin, ours = lattice(world), world.copy()
+    chances = table_blocks.product_chances(world.seed, world.shape[1])
+    table_blocks.advance(twin, rule, world.iteration, iterations, table_blocks.layers_of(rule), chances)
+    advance(ours, rule, iterations)
+    _compare("advance", lattice(ours), twin, world.shape, iterations)
+    return iterations
+
+
+def table_peers_same_as_twin(peers, world, rule, most):
+    """Return for how many iterations peers and the twin of any rule agree, all with the peers' table and numbers."""
+    iterations = _iterations_of_any(world, most)
+    twin = lattice(world)
+    layers, chances = [block_table(rule).as_layer()], loop_chances(world.shape[1])
+    table_blocks.advance(twin, rule, world.iteration, iterations, layers, chances)
+    for peer in peers:
+        theirs = lattice(world)
+        peer.advance(theirs, rule, world.iteration, iterations)
+        _compare(peer.name, theirs, twin, world.shape, iterations)
+    return iterations
+
+
+def _iterations_of_any(world, most):
+    return min(most, max(FEWEST, TABLE_WORK // world.materials.size))
 
 
 def _compare(name, found, wanted, shape, iterations):

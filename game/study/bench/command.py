@@ -7,6 +7,7 @@ from game.study.bench import (
     acts,
     frames,
     hourglass_p,
+    materials,
     peer_table,
     rules_and_motion,
     scale,
@@ -24,8 +25,10 @@ from game.world.files.atomic import make_folder
 TABLES = (
     table_one.paper_table,
     peer_table.peer_table,
+    materials.rule_peer_table,
     rules_and_motion.scene_table,
     hourglass_p.glass_table,
+    materials.material_table,
     acts.act_table,
     scale.scale_table,
     frames.frame_table,

@@ -2,6 +2,7 @@
 
 from matplotlib.figure import Figure
 
+from game.study.bench.materials import SAND
 from game.study.report.report import Picture
 
 GROUND, FRAME, TEXT, DIM = "#181512", "#3a342d", "#e8dfd2", "#a89d8e"
@@ -24,7 +25,7 @@ def curves(tables):
     for row in tables["peers"]:
         if "p = 1" in row["world"] and row["key"] in found and row["key"] != "ours":
             found[row["key"]].append((row["cells"], row["time"].median / 1e6))
-    for row in tables["scale"]:
+    for row in [row for row in tables["scale"] if row["rule"] == SAND]:
         found["ours"].append((row["cells"], row["time"].median / 1e6))
         found["xor"].append((row["cells"], row["xor"].median / 1e6))
     return found

@@ -1,17 +1,18 @@
 """Scale: the time of a cell from the smallest lattice to the largest."""
 
 from game.study.bench import goals, worlds
-from game.study.bench.checks import same_as_twin
+from game.study.bench.checks import same_as_table_twin, same_as_twin
+from game.study.bench.materials import ALCHEMY, SAND, rules
 from game.study.bench.rounds import MICROSECONDS, Workload, ours, take_turns, xor_pass
 from game.study.report import machine, table
 from game.study.report.report import Section
 from game.study.report.table import Column, Table
-from game.world.rules.rule import Rule
 from game.world.sand.advance import advance
 
 REFERENCE = (1920, 1080)  # its time per cell is 1
 FLAT = 1.5  # times the reference up to which the time per cell counts as flat
 COLUMNS = (
+    Column("rule", "rule"),
     Column("size", "lattice", table.size),
     Column("cells", "cells"),
     Column("planes_mb", "planes MB", table.three_digits),
@@ -27,35 +28,46 @@ COLUMNS = (
 
 
 def scale_table(plan):
-    """Return the time per cell of lattices in motion, p = 1, by size."""
-    rows = [_row(size, plan) for size in plan.scale_sizes]
-    reference = next((row for row in rows if row["size"] == REFERENCE), rows[-1])
-    for row in rows:
-        row["relative"] = row["cell_ps"] / reference["cell_ps"]
-        row["why"] = _why(row)
-    notes = ["p = 1, half of all cells sand at random, so many iterations in one call that none of it comes to rest."]
+    """Return the time per cell of lattices in motion by size, of sand at p = 1 and of a rule of sixteen materials."""
+    rows = _rows_of(SAND, plan.scale_sizes, plan) + _rows_of(ALCHEMY, plan.rule_scale_sizes, plan)
+    notes = [
+        "Half of all cells sand at random, or of all materials but wall, so many iterations in one call that none of "
+        "it comes to rest."
+    ]
     notes += [
-        f"Not flat: {table.size(row['size'])}, {table.ratio(row['relative'])}, {row['why']}."
+        f"Not flat: {row['rule']}, {table.size(row['size'])}, {table.ratio(row['relative'])}, {row['why']}."
         for row in rows
         if row["why"]
     ]
     planes = [
         goals.at_most(f"planes of {table.size(row['size'])}", row["planes_mb"], goals.PLANES_MB, " MB")
         for row in rows
-        if row["cells"] >= goals.LARGEST
+        if row["cells"] >= goals.LARGEST and row["rule"] == SAND
     ]
     return Section("scale", "4 · Scale", [Table("", COLUMNS, rows), *notes, *planes])
 
 
-def _row(size, plan):
-    world, rule, cells = worlds.moving(size), Rule(), size[0] * size[1]
-    checked = same_as_twin(world, rule, plan.checked)
+def _rows_of(name, sizes, plan):
+    """Return the rows of a rule, each beside that of its own REFERENCE."""
+    rows = [_row(name, size, plan) for size in sizes]
+    reference = next((row for row in rows if row["size"] == REFERENCE), rows[-1])
+    for row in rows:
+        row["relative"] = row["cell_ps"] / reference["cell_ps"]
+        row["why"] = _why(row)
+    return rows
+
+
+def _row(name, size, plan):
+    rule, cells = rules()[name], size[0] * size[1]
+    world = worlds.moving(size) if name == SAND else worlds.strewn(size, rule)
+    checked = (same_as_twin if name == SAND else same_as_table_twin)(world, rule, plan.checked)
     batch = worlds.moving_iterations(size, plan.batch)
     call = Workload("call", lambda state: advance(state, rule, 0), world.copy, batch)
     found = take_turns(
         [ours("time", world, rule, batch), xor_pass(cells, batch), call], plan.rounds, plan.sample_ns // 4
     )
     return {
+        "rule": name,
         "size": size,
         "cells": cells,
         "batch": batch,
@@ -65,7 +77,7 @@ def _row(size, plan):
         "gcells": cells / found["time"].median,
         "pace": found["xor"].times(found["time"]),
         "checked": checked,
-        "goal": _goal(size, found["time"], found["xor"]),
+        "goal": _goal(size, found["time"], found["xor"]) if name == SAND else None,
     }
 
 

@@ -24,6 +24,15 @@ def moving(size):
     return World.from_cells(sand, np.zeros_like(sand), SEED)
 
 
+def strewn(size, rule):
+    """Return a lattice half of whose cells are empty, the others of all the rule's other materials but wall."""
+    width, height = size
+    generator = np.random.default_rng(SEED)
+    filled = np.array(sorted(rule.codes.filled), np.uint8)
+    cells = filled[generator.integers(len(filled), size=(height, width), dtype=np.uint8)]
+    return World.from_materials(cells * generator.integers(2, size=cells.shape, dtype=np.uint8), rule, SEED)
+
+
 def in_colours(world):
     """Return a world with a colour at random for each of its grains."""
     sand = world.sand

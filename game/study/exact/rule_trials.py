@@ -64,7 +64,7 @@ class Held(NamedTuple):
     """How one material lies in an ensemble, held against the chain."""
 
     cells: list  # p-value of the density in each cell where it is not certain
-    joint: Agreement | None  # of where it lies in each run; None where it has several forms
+    joint: Agreement | None  # of where it lies in each run; None where that is certain, or it has several forms
 
 
 class RuleTrialResult(NamedTuple):
@@ -113,7 +113,7 @@ def _held_against(seen, world, rule, iterations, runs, name, forms):
     expected = seen.chances @ (seen.states[:, None] >> places & np.uint64(1))
     counts = np.rint(density(world, rule, iterations, runs, of=name).ravel() * runs).astype(int)
     cells = cell_p_values(counts, expected, runs)
-    if forms > 1:
+    if forms > 1 or len(seen.states) == 1:
         return Held(cells, None)
     states = states_at(world, rule, [iterations], runs, of=name)[0]
     return Held(cells, compare(states, seen, seen.chances, len(places)))

@@ -9,13 +9,8 @@ EMPTY, SAND, WALL = range(3)
 
 
 def lattice(world):
-    """Return the cells of `world`, an (H + 2, W + 2) uint8 array."""
-    height, width = world.shape
-    cells = np.full((height + 2, width + 2), WALL, np.uint8)
-    inside = cells[1:-1, 1:-1]
-    inside[...] = world.sand
-    inside[world.walls] = WALL
-    return cells
+    """Return the cells of `world` by code, an (H + 2, W + 2) uint8 array; its border is wall."""
+    return np.pad(world.materials, 1, constant_values=world.codes.wall)
 
 
 def sand(cells):

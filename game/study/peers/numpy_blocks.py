@@ -9,6 +9,7 @@ from game.study.peers import Peer
 from game.study.peers.lattice import EMPTY, SAND
 
 BAND = 256  # rows of cells moved at a time; all 16384 at once would need gigabytes for the arrays in between
+GOLDEN = np.uint64(0x9E3779B97F4A7C15)
 
 
 def advance(cells, rule, start, iterations, uniform):
@@ -82,22 +83,22 @@ def product_chance(seed, width):
     the first draw being the most significant digit.
     """
     words = -(-width // 128)
-    golden, draws = np.uint64(0x9E3779B97F4A7C15), np.arange(32, dtype=np.uint64)
+    draws = np.arange(32, dtype=np.uint64)
 
     def uniform(iteration, rows, columns):
         lane, word = np.divmod(columns, words)
         lane[columns == -1], word[columns == -1] = 0, -1
         place = (rows * (words + 1) + word).astype(np.uint64)
         with np.errstate(over="ignore"):
-            key = _mix(_mix(np.uint64(seed) + golden) + np.uint64(iteration) * golden)
-            bits = _mix(key + (place[:, None] * np.uint64(32) + draws) * golden)
+            key = mix(mix(np.uint64(seed) + GOLDEN) + np.uint64(iteration) * GOLDEN)
+            bits = mix(key + (place[:, None] * np.uint64(32) + draws) * GOLDEN)
         digits = (bits >> lane.astype(np.uint64)[:, None]) & np.uint64(1)
         return (digits << draws[::-1]).sum(axis=1, dtype=np.uint64)
 
     return uniform
 
 
-def _mix(z):
+def mix(z):
     """Return splitmix64's finaliser of z, uint64 (Steele, Lea & Flood 2014)."""
     z = (z ^ (z >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     z = (z ^ (z >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
