@@ -16,6 +16,7 @@ from game.export.start_scene import small_start
 from game.world.rules.rule import load_rule
 from game.world.sand.schedules import SCHEDULES
 
+FOLDER = Path(__file__).parent
 STRICT = ("-Wall", "-Wextra", "-pedantic", "-Werror")
 LARGE = os.environ.get("SANDGLASS_EXPORT_SWEEP")  # set it for every compiler, level and instruction set there is
 BUILDS = {"gcc": ("gcc", "-O0"), "clang": ("clang", "-O0")}
@@ -44,6 +45,7 @@ CALLS = {
     "material_name": (ctypes.c_char_p, (ctypes.c_int,)),
     "scene": (None, (ctypes.c_void_p,)),
     "digest": (None, (ctypes.c_void_p, ctypes.c_char_p)),
+    "sum": (ctypes.c_uint64, (ctypes.c_double, ctypes.c_double)),
     "fill": (None, (ctypes.c_void_p, ctypes.c_void_p)),
 }
 SHIM = """
@@ -55,6 +57,13 @@ void sandglass_fill(sandglass *world, const uint8_t *cells)
     int x, y;
     for (y = 0; y < (int)world->at.height; y++)
         for (x = 0; x < (int)world->at.width; x++) sandglass_set(world, x, y, *cells++);
+}
+uint64_t sandglass_sum(double first, double second);
+uint64_t sandglass_sum(double first, double second)
+{
+    const double chances[2] = { first, second };
+    const int8_t terms[SG_TERMS + 1] = { 0, 1 };
+    return sg_threshold(chances, terms);
 }
 """
 
@@ -94,13 +103,17 @@ def library(rule_name, build):
         return compiled(texts_of(rule_name)["sandglass.h"], build, Path(folder))
 
 
+def compiler_of(build):
+    """Return the command of a build, without files."""
+    compiler, *flags = BUILDS[build]
+    return compiler, "-std=c99", *flags
+
+
 def compiled(header, build, folder):
     """Return the Library of the text of a header."""
     (folder / "sandglass.h").write_text(header, encoding="utf-8")
     (folder / "shim.c").write_text(SHIM, encoding="utf-8")
-    compiler, *flags = BUILDS[build]
-    flags += [*STRICT, "-shared", "-fPIC", "shim.c", "-o", "shim.so"]
-    run(compiler, "-std=c99", *flags, cwd=folder)
+    run(*compiler_of(build), *STRICT, "-shared", "-fPIC", "shim.c", "-o", "shim.so", cwd=folder)
     return Library(folder / "shim.so")
 
 

@@ -1,0 +1,12 @@
+class Opened : public SandWorld {
+public:
+    static void bind() { _bind_methods(); }
+};
+
+int main() {
+    Opened node;
+    Opened::bind();
+    node._ready();
+    for (int frame = 0; frame < 20; frame++) node._process(1.0 / 60);
+    std::cout << std::hex << node.texture->image->first << " " << node.paint(-100, 0, 3, 1) << "\n";
+}
