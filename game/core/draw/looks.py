@@ -37,6 +37,7 @@ class Substance(NamedTuple):
     kind: str  # "powder", "liquid", "gas" or "solid"
     codes: tuple
     colour: tuple | None = None  # RGB in 0 … 255; None: that of the theme's sand or walls
+    glows: bool = False  # it lights up what is near
 
 
 class Substances(NamedTuple):

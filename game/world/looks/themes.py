@@ -49,6 +49,7 @@ LIGHT = {  # by what the darkest and the lightest shade of a material differ fro
     LIQUID: (-0.03, 0.03),
     LIQUID_SURFACE: (0.3, 0.34),
 }
+GLOWING = (-0.12, 0.3)  # as in LIGHT: of what glows
 GAS_COVERS = 0.6  # how much of what is behind it a gas hides
 WALL_LOOKS = ("stone", "glass", "wood")  # what a scene's walls can be made of; in glass its long level runs are wooden
 
@@ -78,6 +79,7 @@ class Colours(NamedTuple):
     stream: int  # the look of falling sand: it must stand out against the air, even where it is thin
     walls: dict  # {one of WALL_LOOKS: Walls}
     panel: dict  # {role: RGB} of the controls and the words
+    glow: float  # how strong the light of fire is, 0 … 1
     dyes: tuple  # the mean colours of dyed sand, in the order of `sand_colours.COLOURS` without the first
 
     def __hash__(self):
@@ -108,6 +110,8 @@ class Colours(NamedTuple):
         """Return the Range of a Look in a scene whose walls are made of `walls`."""
         if look.substance is None or look.substance.colour is None:
             return self.looks(walls)[look.shape]
+        if look.substance.glows:
+            return Range(*(_lit(look.substance.colour, by) for by in GLOWING))
         if look.shape not in (GAS, GAS_INSIDE):
             return _material(look.substance.colour, look.shape)
         behind = self.air[AIR if look.shape == GAS else INSIDE]
@@ -132,10 +136,10 @@ def substances_of(materials):
     codes = {}
     for code, each in enumerate(materials):
         if each.kind != "empty":
-            alike = each.kind, None if each.name in ("sand", "wall") else tuple(each.colour)
+            alike = each.kind, None if each.name in ("sand", "wall") else tuple(each.colour), each.glows
             codes.setdefault(alike, []).append(code)
     outside = next(code for code, each in enumerate(materials) if each.name == "wall")
-    every = tuple(Substance(kind, tuple(numbers), colour) for (kind, colour), numbers in codes.items())
+    every = tuple(Substance(kind, tuple(numbers), *seen) for (kind, *seen), numbers in codes.items())
     return Substances(every, max(2, (len(materials) - 1).bit_length()), outside)
 
 
@@ -221,6 +225,7 @@ NIGHT = Colours(
         "stone": (112, 103, 92),
         "ring": (116, 172, 220),
     },
+    glow=0.45,
     dyes=(
         (199, 106, 82),
         (244, 180, 198),
@@ -273,6 +278,7 @@ DAY = Colours(
         "stone": (132, 122, 108),
         "ring": (24, 102, 176),
     },
+    glow=0.35,
     dyes=(
         (141, 57, 12),
         (230, 153, 149),
@@ -325,6 +331,7 @@ HIGH_CONTRAST = Colours(
         "stone": (140, 150, 170),
         "ring": (90, 200, 255),
     },
+    glow=0.0,
     dyes=(
         (185, 71, 92),
         (252, 138, 149),
