@@ -11,7 +11,10 @@ import pytest
 
 from game import SceneError, cli, load_rule, load_scene, rule_names, scene_names
 from game.play.controls.keymap import CTRL, KEYS, SHIFT
+from game.world.rules import definition, events, materials
 from game.world.rules.laws import laws
+from game.world.rules.pictures import MOST_OUTCOMES
+from game.world.rules.rule_text import LARGEST_FILE
 
 ROOT = Path(__file__).parents[1]
 FIRST = ROOT / "README.md"
@@ -168,6 +171,22 @@ def test_every_shipped_scene_has_a_line():
 
 def test_every_shipped_rule_has_a_line():
     assert sorted(rows(RULES, "name")) == sorted(f"`{name}`" for name in rule_names())
+
+
+def test_the_limits_of_a_rule_are_those_of_the_code():
+    told = dict(re.findall(r"^\| (.*) \| ([\d,]+) \|$", text_of(RULES), re.MULTILINE))
+    limits = {words: int(number.replace(",", "")) for words, number in told.items()}
+    assert limits == {
+        "bytes of a file": LARGEST_FILE,
+        "files included, which include no others": definition.MOST_INCLUDES,
+        "layers": definition.MOST_LAYERS,
+        "events, with those included": events.MOST,
+        "outcomes of an event, whose chances are 1 at most in all": MOST_OUTCOMES,
+        "conditions in `where`": events.MOST_CONDITIONS,
+        "chances": definition.MOST_CHANCES,
+        "sums in `[[conserve]]`": definition.MOST_BOOKS,
+    }
+    assert f"| `[materials]` | 3 to {materials.MOST}; " in text_of(RULES)
 
 
 @pytest.mark.parametrize(

@@ -11,7 +11,7 @@ def description(rule):
     """Return the lines that tell of a rule."""
     told = rule.definition
     events = told.told_events()
-    layers = " and then ".join(dict.fromkeys(each.layer for each in events))
+    layers = ", then ".join(dict.fromkeys(each.layer for each in events))
     lines = [f"{told.title}: {len(told.materials)} materials, {len(events)} events, schedule {rule.schedule}"]
     lines += [told.notice] if told.notice else []
     lines += [
@@ -21,7 +21,7 @@ def description(rule):
         *_laws(rule),
         *_chances(rule),
         "",
-        f"In each block happens, if anything, {layers}:",
+        f"In each block happens at most one of these; tried are {layers}:",
     ]
     for event in events:
         lines += ["", *_event(event, rule)]
