@@ -41,9 +41,12 @@ Dispatcher.compile = compile_once
 
 @pytest.fixture(autouse=True)
 def own_folder(request, tmp_path_factory, monkeypatch):
-    """Keep the user's real files out of reach; the folders are made by the first who writes there."""
-    asks = "tmp_path" in request.fixturenames
-    folder = request.getfixturevalue("tmp_path") if asks else tmp_path_factory.getbasetemp() / uuid.uuid4().hex
+    """Keep the user's real files out of reach."""
+    if "tmp_path" in request.fixturenames:
+        folder = request.getfixturevalue("tmp_path")
+    else:
+        folder = tmp_path_factory.getbasetemp() / uuid.uuid4().hex  # at a fraction of the price
+        folder.mkdir()
     monkeypatch.setenv("SANDGLASS_DATA_DIR", str(folder / "data"))
     monkeypatch.setenv("SANDGLASS_CONFIG_DIR", str(folder / "config"))
     return folder / "data"

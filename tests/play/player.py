@@ -1,5 +1,6 @@
 """A player at the window: hands that press keys and buttons, under the dummy video driver."""
 
+from contextlib import contextmanager
 from unittest import mock
 
 import pygame
@@ -11,6 +12,11 @@ from game.world.scenes.scene import load_scene
 
 FRAME_NS = 16_666_667
 WAIT_MS = 20  # at most, from frame to frame, for what the background does
+
+
+def words_of(drawn):
+    """Return [(rect, text, size)] of the words in what was drawn."""
+    return [(rect, *how[:2]) for stroke, rect, *how in drawn if stroke is draw_list.words]
 
 
 class Player:
@@ -92,19 +98,28 @@ class Player:
         """Open a fold of the panel."""
         self.click(self.parts_of(name)[0].center)
 
-    def written(self):
-        """Draw everything anew; return [(rect in the window, text, size)] of all words, scrolled into view or not."""
+    @contextmanager
+    def reading(self):
+        """Yield a list of what is drawn meanwhile, scrolled into view or not: (what draws, rect in the window, …)."""
         found, draw = [], draw_list.draw
 
         def noted(surface, theme, strokes, shift=(0, 0)):
-            for stroke, rect, *how in strokes:
-                if stroke is draw_list.words:
-                    found.append((pygame.Rect(rect).move(shift), *how[:2]))
+            strokes = list(strokes)
+            found.extend((stroke, pygame.Rect(rect).move(shift), *how) for stroke, rect, *how in strokes)
             draw(surface, theme, strokes, shift)
 
         with mock.patch.object(draw_list, "draw", noted):
+            yield found
+
+    def drawn(self):
+        """Draw everything anew; return what is drawn, as `reading` does."""
+        with self.reading() as found:
             self.frame(pygame.event.Event(pygame.WINDOWEXPOSED), elapsed_ns=0)
         return found
+
+    def written(self):
+        """Draw everything anew; return [(rect in the window, text, size)] of all words."""
+        return words_of(self.drawn())
 
     def words(self):
         """Return all that is written, as one text."""

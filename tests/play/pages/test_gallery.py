@@ -9,6 +9,7 @@ import pygame
 import pytest
 
 from game.play.pages import shipped_scenes
+from game.world.sand.advance import advance
 from game.world.scenes.scene import load_scene, scene_names
 from game.world.sessions.moment import account_of
 
@@ -28,11 +29,22 @@ def looked_at(player):
     return player.parts.gallery
 
 
+def tiles(gallery):
+    """Return {number: rect} of the tiles that show."""
+    rects = {number: gallery.tile(number) for number in range(len(gallery.shelf))}
+    return {number: rect for number, rect in rects.items() if rect}
+
+
+def first_row(gallery):
+    """Return the numbers of the tiles in the first row that shows."""
+    top = min(rect.y for rect in tiles(gallery).values())
+    return [number for number, rect in tiles(gallery).items() if rect.y == top]
+
+
 def pictures(player, gallery):
-    """Return the pixels of every picture that shows."""
+    """Return the pixels of every tile that shows, which are the same but for its picture."""
     shown = pygame.surfarray.array3d(player.parts.window.surface)
-    rects = {number: gallery._picture_rect(rect) for number, rect in gallery._tiles()}
-    return {number: shown[rect.x : rect.right, rect.y : rect.bottom].copy() for number, rect in rects.items()}
+    return {number: shown[rect.x : rect.right, rect.y : rect.bottom].copy() for number, rect in tiles(gallery).items()}
 
 
 def test_every_scene_is_there_with_a_name_and_a_sentence(player):
@@ -43,15 +55,22 @@ def test_every_scene_is_there_with_a_name_and_a_sentence(player):
         assert gallery.shelf.name(number) == scene.title and gallery.shelf.about(number) == scene.notice
 
 
-def test_every_small_world_runs_and_loses_no_grain(player):
+def test_every_small_world_runs_and_loses_no_grain(player, monkeypatch):
+    worlds = {}  # as keys' values: the account at the start
+
+    def noted(world, rule, iterations):
+        worlds.setdefault(id(world), (world, account_of(world, rule)))
+        advance(world, rule, iterations)
+
+    monkeypatch.setattr(shipped_scenes, "advance", noted)
     gallery = looked_at(player)
     before = pictures(player, gallery)
     player.wait(60)
     for number, picture in pictures(player, gallery).items():
         name = scene_names()[number]
-        life = gallery.shelf._lives[name]
-        assert account_of(life.scene.world(), life.scene.rule).balanced(life._world) or life.scene.fixtures
         assert name == "blank" or (picture != before[number]).any(), name
+    assert len(worlds) == len(scene_names())
+    assert all(account.balanced(world) or world.fixtures for world, account in worlds.values())
 
 
 def test_the_sand_goes_on_behind_the_gallery_and_nobody_can_touch_it_there(player):
@@ -77,10 +96,11 @@ def test_a_key_held_longer_than_the_page_is_open_does_no_more(player):
 def test_the_wheel_scrolls_along_its_own_axis_only(player):
     player.parts.settings.override("ui_scale", 3)
     gallery = looked_at(player)
-    gallery._choose(0)
+    player.key(pygame.K_HOME)
+    assert len(set(first_row(gallery))) < len(tiles(gallery)) or gallery.tile(len(gallery.shelf) - 1) is None
     for right, up, top in ((1, 0, 0), (0, -1, 1), (-1, 0, 1), (0, 1, 0)):
         player.frame(pygame.event.Event(pygame.MOUSEWHEEL, x=right, y=up, flipped=False))
-        assert gallery._top == top
+        assert (gallery.tile(0) is None) == top
 
 
 @pytest.mark.parametrize("number", [0, 4, len(scene_names()) - 1])
@@ -107,7 +127,7 @@ def test_arrows_reach_every_scene(player):
     player.key(pygame.K_DOWN)
     below = gallery.chosen
     player.key(pygame.K_UP)
-    assert gallery.chosen == 0 and below == gallery._grid()[0]
+    assert gallery.chosen == 0 and below == len(first_row(gallery))
 
 
 def test_tab_and_a_click_turn_to_the_saved_scenes(player):
@@ -131,15 +151,13 @@ def test_no_tile_is_cut_or_covered_and_the_chosen_one_is_in_sight(player, size, 
     gallery = looked_at(player)
     for code in (pygame.K_HOME, pygame.K_END):
         player.key(code)
-        tiles = dict(gallery._tiles())
-        page = gallery._page()
-        assert gallery.chosen in tiles and all(page.contains(rect) for rect in tiles.values())
-        rects = list(tiles.values())
+        window, shown = parts.window.surface.get_rect(), tiles(gallery)
+        assert gallery.chosen in shown and all(window.contains(rect) for rect in shown.values())
+        rects = list(shown.values())
         assert all(rect.collidelist(rects[number + 1 :]) == -1 for number, rect in enumerate(rects))
-        for stroke, rect, text, kind, *_ in (
-            each for each in gallery._strokes(parts.window.surface, []) if len(each) > 4
-        ):
-            assert parts.window.surface.get_rect().contains(rect), (stroke, text, kind)
+        for place, text, _ in player.written():
+            assert window.contains(place), text
+            assert place.collidelist(rects) < 0 or any(rect.contains(place) for rect in rects), text
 
 
 def test_a_frame_of_the_gallery_keeps_its_budget(player):
@@ -161,7 +179,8 @@ def test_no_world_is_made_for_a_gallery_whose_window_was_closed(player):
     for each in set(threading.enumerate()) - before:
         each.join(timeout=60)  # what reads is left alone, and ends by itself
     assert set(threading.enumerate()) <= before, "and nothing was begun after it"
-    assert len(player.parts.gallery.shelf._lives) < len(scene_names())
+    shelf = player.parts.gallery.shelf
+    assert sum(shelf.about(number) != "" for number in range(len(shelf))) < len(scene_names())
 
 
 def test_what_is_said_of_an_empty_shelf_is_all_there_in_a_small_window(player):
@@ -170,6 +189,6 @@ def test_what_is_said_of_an_empty_shelf_is_all_there_in_a_small_window(player):
     player.key(pygame.K_o, mod=pygame.KMOD_LCTRL)
     player.wait(2)
     gallery, theme = player.parts.gallery, player.parts.display.theme
-    said = list(gallery._empty())
-    assert " ".join(text for _, _, text, *_ in said) == gallery.shelf.empty
-    assert all(theme.width(text, kind) <= rect.width for _, rect, text, kind, *_ in said)
+    said = [each for each in player.written() if each[1] and each[1] in gallery.shelf.empty]
+    assert " ".join(text for _, text, _ in said) == gallery.shelf.empty
+    assert all(theme.width(text, kind) <= rect.width for rect, text, kind in said)

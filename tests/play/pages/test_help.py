@@ -48,14 +48,20 @@ def test_all_keys_are_on_one_screen_unless_the_text_would_be_much_smaller_than_a
 def test_wheel_and_keys_scroll_to_the_last_line_and_back():
     player = Player("hourglass", (640, 480))
     player.key(pygame.K_F1)
-    page, at = player.parts.help, player.session.now
-    assert page._page.more
-    for code, tops in ((pygame.K_DOWN, 1), (pygame.K_END, page._page.more), (pygame.K_HOME, 0)):
+    at, laid = player.session.now, lay_out(player.parts.display.theme, pygame.Rect(0, 0, 640, 480))
+    assert laid.more
+
+    def lines_up():
+        """Return by how many lines the rows have gone up."""
+        _, first, text, *_ = laid.rows[0]
+        return (first.y - next(rect.y for rect, word, _ in player.written() if word == text)) / laid.line
+
+    for code, lines in ((pygame.K_DOWN, 1), (pygame.K_END, laid.more), (pygame.K_HOME, 0)):
         player.key(code)
-        assert page._top == tops
+        assert lines_up() == lines
     for _ in range(50):
         player.frame(pygame.event.Event(pygame.MOUSEWHEEL, y=-1, x=0))
-    assert page._top == page._page.more and page.shown and player.session.now > at
+    assert lines_up() == laid.more and player.parts.help.shown and player.session.now > at
     player.wait(1)
     assert not player.frame()
     pygame.display.quit()

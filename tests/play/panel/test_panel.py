@@ -9,7 +9,6 @@ import pygame
 import pytest
 from PIL import Image
 
-from game.play.ui import draw_list
 from game.play.ui.input import key_name
 from game.play.ui.widgets import Ui
 from game.world.scenes.scene import load_scene, scene_names
@@ -47,11 +46,12 @@ def overlapping(rects):
 
 def check(player, size, scale):
     ui = seen(player, size, scale)
-    width = ui._rect.width
-    assert overlapping({name: slot.rect for name, slot in ui.focus.slots.items()}) is None
-    assert all(slot.ring.left >= 0 and slot.ring.right <= width for slot in ui.focus.slots.values())
-    written = [(pygame.Rect(rect), *how[:2]) for stroke, rect, *how in ui._strokes if stroke is draw_list.words]
-    column = pygame.Rect(0, 0, width, 10**6)
+    panel = player.parts.display.layout.panel
+    assert overlapping(ui.rects) is None
+    assert all(slot.ring.left >= 0 and slot.ring.right <= panel.width for slot in ui.focus.slots.values())
+    column = pygame.Rect(panel.x, -(10**6), panel.width, 2 * 10**6)
+    written = [each for each in player.written() if column.colliderect(each[0])]
+    assert len(written) >= len(ui.rects)
     assert [text for rect, text, kind in written if ui.theme.width(text, kind) > rect.width] == []
     assert [text for rect, text, _ in written if not column.contains(rect)] == []
 
@@ -109,9 +109,10 @@ def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, s
 def test_what_a_newcomer_reaches_for_is_in_sight_without_scrolling(glass, name):
     glass.parts.sessions.open_scene(load_scene(name), 0)
     ui = seen(glass, (1280, 720), 1)
+    panel = glass.parts.display.layout.panel
     assert ui.focus.scroll.offset == 0
     essentials = [each for each in ESSENTIALS if load_scene(name).rule.codes.is_sand or each not in OF_SAND]
-    assert [each for each in essentials if not ui._rect.contains(ui.rects[each])] == []
+    assert [each for each in essentials if not panel.contains(ui.rects[each])] == []
     tops = [ui.rects[each].y for each in essentials]
     assert tops == sorted(tops)
 
@@ -136,10 +137,10 @@ def test_every_button_of_time_and_window_shows_its_key_clear_of_its_label(glass)
         "Full screen": "F11",
         "Keys": "F1",
     }
-    written = [(pygame.Rect(rect), *how) for stroke, rect, *how in ui._strokes if stroke is draw_list.words]
+    written = glass.written()
     for name, key in keys.items():
-        inside = [each for each in written if ui.focus.slots[name].rect.contains(each[0])]
-        (label, text, kind, *_), (hint, word, small, *_) = sorted(inside, key=lambda each: each[2], reverse=True)
+        inside = [each for each in written if ui.rects[name].contains(each[0])]
+        (label, text, kind), (hint, word, small) = sorted(inside, key=lambda each: each[2], reverse=True)
         assert (text, word) == (name, key_name(key))
         assert (label.width + ui.theme.width(text, kind)) // 2 + label.x < hint.right - ui.theme.width(word, small)
 
@@ -153,11 +154,12 @@ def test_every_control_says_what_it_does(glass, unfolded):
 
 def test_every_control_is_reached_by_tab_and_comes_into_sight(glass, unfolded):
     ui = seen(glass, (640, 480), 1)
+    panel = glass.parts.display.layout.panel
     live, reached = {name for name, slot in ui.focus.slots.items() if slot.live}, []
     for _ in live:
         glass.key(pygame.K_TAB)
         reached.append(ui.focus.name)
-        assert ui._rect.contains(ui.rects[ui.focus.name]), ui.focus.name
+        assert panel.contains(ui.rects[ui.focus.name]), ui.focus.name
     assert set(reached) == live
 
 

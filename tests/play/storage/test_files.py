@@ -29,7 +29,7 @@ from game.world.sessions.history import UNDO, Entry
 from game.world.sessions.journal import Journal
 from game.world.sessions.recording import load_replay
 from game.world.sessions.snapshots import MEGABYTE
-from tests.play.player import Player
+from tests.play.player import Player, words_of
 from tests.saved import load_picture, save_replay
 
 DATA = Path(__file__).parents[2] / "data"
@@ -310,8 +310,9 @@ def test_a_photo_put_in_place_of_many_cells_comes_after_a_picture_that_says_so(p
     Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
     player.drop(tmp_path / "grey.png")
     monkeypatch.setattr(open_sessions, "LARGE", 100)
-    player.press(pygame.K_RETURN)
-    assert player.session.scene.name == "blank" and "Opening grey.png" in str(player.parts.renderer._strips)
+    with player.reading() as drawn:
+        player.press(pygame.K_RETURN)
+    assert player.session.scene.name == "blank" and any("Opening grey.png" in text for _, text, _ in words_of(drawn))
     player.frame()
     assert player.session.scene.shape == (48, 64) and not player.parts.photo_import.shown
 
@@ -447,13 +448,17 @@ def test_a_journal_that_cannot_be_kept_costs_a_line_and_no_sand(player, own_fold
     assert "cannot keep a journal" in player.parts.notices.text and player.world.grains
 
 
-def test_a_journal_that_breaks_off_costs_a_line_and_no_sand(player):
+def test_a_journal_that_breaks_off_costs_a_line_and_no_sand(player, monkeypatch):
     player.parts.crash_recovery.start()
     player.settle()
-    player.session.journal.abandon()
-    player.session.journal._failed = OSError(28, "No space left on device")
-    player.click(player.pixel(20, 20))
-    player.frame()
+
+    def full(handle, line):
+        raise OSError(28, "No space left on device")
+
+    with monkeypatch.context() as patch:
+        patch.setattr(journal.os, "write", full)
+        player.click(player.pixel(20, 20))
+        player.frame()
     assert "no space left on device" in player.parts.notices.text and player.world.grains
     player.wait(5)
     assert player.session.journal is None

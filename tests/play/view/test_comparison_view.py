@@ -5,6 +5,7 @@ import pygame
 import pytest
 
 from game.play.ui import draw_list
+from game.play.view.comparison_view import GAP, TITLE
 from game.world.sessions.action import Clear
 from game.world.sessions.comparison import Comparison
 from tests.play.player import Player
@@ -93,9 +94,10 @@ def test_name_and_count_of_a_title_lie_side_by_side_and_every_name_is_whole(thre
     monkeypatch.setattr(draw_list, "words", lambda *how: written.append(how) or words(*how))
     three.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
     sand_view, theme = three.parts.display.sand_view, three.parts.display.theme
-    for schedule, title in sand_view._titles.items():
+    for pane, (wanted, _) in zip(sand_view.panes, sand_view.titles().values(), strict=True):
+        title = pygame.Rect(pane.x, pane.y - theme.px(TITLE), pane.width, theme.px(TITLE))
         (name, text, kind), (left, count, other) = [each[2:5] for each in written if title.contains(each[2])]
-        assert text == schedule.capitalize() and name.x + theme.width(text, kind) <= name.right
+        assert text == wanted and name.x + theme.width(text, kind) <= name.right
         assert name.x + theme.width(text, kind) < left.right - theme.width(count, other)
 
 
@@ -105,7 +107,8 @@ def test_a_line_parts_zoomed_panes(three):
     three.hold_time()
     three.wait(3)
     surface, edge = three.parts.window.surface, three.parts.display.theme.rgb("edge")
-    for gap in three.parts.display.sand_view._gaps:
+    panes, gap = three.parts.display.sand_view.panes, three.parts.display.theme.px(GAP)
+    for gap in [pygame.Rect(pane.right, pane.y, gap, pane.height) for pane in panes[:-1]]:
         assert {
             tuple(surface.get_at((x, y))[:3]) for x in range(gap.left, gap.right) for y in range(gap.top, gap.bottom)
         } == {edge}

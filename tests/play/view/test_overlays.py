@@ -98,12 +98,11 @@ def test_nothing_that_tells_of_the_sand_lies_over_it(glass, size, scale, zoomed)
     with_all = pygame.surfarray.array2d(glass.parts.window.surface.subsurface(lattice))
     glass.parts.display.sand_view.refresh()
     glass.parts.window.surface.fill((9, 9, 9))
-    strips = glass.app._frame(glass.now_s).strips
     glass.parts.renderer.forget()
     glass.frame(elapsed_ns=0)
-    assert len(strips) == 4 and glass.parts.notices.line
-    plots = glass.parts.display.layout.plots
-    drawn = [pygame.Rect(rect) for rect in strips] + ([plots] if plots else [])
+    layout = glass.parts.display.layout
+    assert set(layout.cards) == {"legend", "figures"} and glass.parts.notices.line
+    drawn = [layout.bar, layout.status_line, *layout.cards.values(), *([layout.plots] if layout.plots else [])]
     assert lattice.collidelist(drawn) < 0 and lattice.size > (0, 0)
     assert (with_all == pygame.surfarray.array2d(glass.parts.window.surface.subsurface(lattice))).all()
 
