@@ -4,6 +4,7 @@ import time
 
 import pygame
 
+from game.world.sand.block_events import possible_events
 from game.world.sand.neck import find_neck
 from game.world.sessions.comparison import Comparison
 from game.world.sessions.run_out import at_rest, first_moment
@@ -11,6 +12,7 @@ from game.world.sessions.session import FRAMES_PER_SECOND, SEEK_NS
 
 MANY = 2**50  # iterations: more than any frame holds
 MOST_TOGETHER = 1024  # of a frame that runs several worlds: all may rest sooner, and that is not looked for
+MOST_NAMED = 4  # events that a notice names
 SHORTEST_S = 0.3  # what takes less needs no word while it goes on
 
 FIRST_STEP, GROWTH = 4, 1.1  # times the usual iterations of a frame at first, and from frame to frame, while held:
@@ -63,7 +65,7 @@ class FastForward:
         if event.key == pygame.K_RIGHT and alone:
             return self._hear_key(event)
         if event.type == pygame.KEYDOWN and event.key == pygame.K_ESCAPE and self._mode in (SETTLING, AWAITING):
-            self._notices.say(f"Stopped after {self._sessions.now.now - self._start:,} iterations.")
+            self._notices.say(f"Stopped after {self._sessions.now.now - self._start:,} iterations.{self._possible()}")
             self.stop()
             return True
         return False
@@ -142,6 +144,15 @@ class FastForward:
         elif self._mode == AWAITING and session.at_rest:
             self._notices.say("No more sand will pass the neck.")
             self.stop()
+
+    def _possible(self):
+        """Return what can still happen, in words, where rest was looked for under a rule that need not come to any."""
+        session = self._sessions.now
+        if self._mode != SETTLING or session.rule.codes.is_sand:
+            return ""
+        names = possible_events(session.world, session.rule)
+        more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+        return f" Still possible: {', '.join(names[:MOST_NAMED])}{more}." if names else ""
 
     def _hear_key(self, event):
         if event.type == pygame.KEYUP:

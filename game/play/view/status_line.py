@@ -89,7 +89,7 @@ def _rows(theme, text, room):
 def _pace(reading, session):
     """Return how fast the sand runs, in words."""
     if session.settled:
-        return "The sand is at rest"
+        return "The sand is at rest" if session.rule.codes.is_sand else "All is at rest"
     if reading.full:
         return f"{reading.done:,.0f} of {reading.due:,.0f} iterations a second: all this computer can do"
     speed = session.clock.speed

@@ -29,7 +29,19 @@ _KEYS = ("title", "notice", "schedule", "layers", "include", "materials", "any",
 _INCLUDED = ("layers", "any", "chances", "event")  # keys of a file that is included
 _known = WeakValueDictionary()  # (name, texts): a definition in use, so that a file read again is not compiled again
 RESERVED = (  # names that no chance can have, as a rule has them
-    *("as_dict", "bias", "chances", "codes", "definition", "digest", "leaning", "materials", "name", "offsets"),
+    *(
+        "as_dict",
+        "bias",
+        "chances",
+        "codes",
+        "definition",
+        "digest",
+        "events_of",
+        "leaning",
+        "materials",
+        "name",
+        "offsets",
+    ),
     *("outcomes", "p", "probabilities", "rule", "schedule", "table", "texts", "values", "with_chances", "with_p"),
     "with_schedule",
 )

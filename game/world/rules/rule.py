@@ -132,17 +132,27 @@ class Rule:
         """
         if len(block) != 4 or not all(code in range(len(self.materials)) for code in block):
             raise ValueError(f"a block must be four codes in [0, {len(self.materials) - 1}], got {block}")
-        state, found = state_of(block, self.table.bits), defaultdict(float)
+        found = defaultdict(float)
+        for _, p, after in self._changes_of(block):
+            found[after] += p
+        return sorted(((p, after) for after, p in found.items()), key=lambda each: (-each[0], each[1]))
+
+    def events_of(self, block):
+        """Return the names of the events that can change a block (a, b, c, d) of codes: a frozenset."""
+        return frozenset(self.definition.events[number].name for number, _, _ in self._changes_of(block))
+
+    def _changes_of(self, block):
+        """Yield (number of the event, probability, block after) of all that can change a block, for either fair bit."""
+        state = state_of(block, self.table.bits)
         for face in (0, 1):
             left = 0.5
             for claim in _claims_of(self.table, state, face):
                 at, share = claim.states.searchsorted(state), left
                 for outcome in claim.outcomes:
                     p = share * (1.0 if outcome.slot == CERTAIN else self.values[outcome.slot])
-                    found[tuple(int(code) for code in corners(outcome.after[at], self.table.bits))] += p
+                    if p > 0.0 and outcome.after[at] != state:
+                        yield claim.event, p, tuple(int(code) for code in corners(outcome.after[at], self.table.bits))
                     left -= p
-        found.pop(tuple(block), None)
-        return sorted(((p, after) for after, p in found.items() if p > 0.0), key=lambda each: (-each[0], each[1]))
 
     @property
     def offsets(self):

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.core.rule_table import corners, state_of
-from game.world.sand.crop import Crop
+from game.world.sand.crop import Crop, CropBox
 
 CORNERS = ((0, 0), (0, 1), (1, 0), (1, 1))  # (row, column) of a, b, c and d in a block
 
@@ -34,12 +34,7 @@ def coming_events(world, rule, box):
     """Return the BlockEvents of the coming iteration in the blocks that a CropBox touches."""
     box = box.grown(2, world.shape)
     x, y = offset(world, rule)
-    bottom, right = box.top + box.height, box.left + box.width
-    above, left = 2 * (box.top == 0), 2 * (box.left == 0)
-    outside = (above, bottom == world.shape[0]), (left, right == world.shape[1])
-    cells = np.pad(Crop(world, box).cells, outside, constant_values=world.codes.wall)[y:, x:]
-    cells = cells[: len(cells) // 2 * 2, : cells.shape[1] // 2 * 2].astype(np.int64)
-    states = state_of((cells[::2, ::2], cells[::2, 1::2], cells[1::2, ::2], cells[1::2, 1::2]), world.layout.bits)
+    states, top, first = _states(world, box, x, y)
     found = [
         (row, column, state, after, p)
         for state in np.unique(states).tolist()
@@ -48,9 +43,38 @@ def coming_events(world, rule, box):
         for p, after in outcomes
     ]
     rows, columns, before, after, chances = np.array(sorted(found), float).reshape(-1, 5).T
-    top, first = box.top - above + y, box.left - left + x
     whole = (each.astype(np.int64) for each in (top + 2 * rows, first + 2 * columns, before, after))
     return BlockEvents(*whole, chances)
+
+
+def can_change(world, rule, box):
+    """Return whether a block that a CropBox touches can change, in any partition of the rule's and by any chance."""
+    box = box.grown(2, world.shape)
+    return any(_outcomes(rule, state) for x, y in rule.offsets for state in _there(_states(world, box, x, y)[0]))
+
+
+def possible_events(world, rule):
+    """Return the names of the events that can change a block in any partition, by any chance, in the file's order."""
+    box = CropBox(0, 0, *world.shape)
+    there = {state for x, y in rule.offsets for state in _there(_states(world, box, x, y)[0])}
+    found = {name for state in there for name in _events(rule, state)}
+    return [each.name for each in rule.definition.events if each.name in found]
+
+
+def _there(states):
+    """Return the states that there are among some."""
+    return np.flatnonzero(np.bincount(states.ravel())).tolist()
+
+
+def _states(world, box, x, y):
+    """Return (states of the blocks of the partition at (x, y) in a CropBox, first row, first column)."""
+    bottom, right = box.top + box.height, box.left + box.width
+    above, left = 2 * (box.top == 0), 2 * (box.left == 0)
+    outside = (above, bottom == world.shape[0]), (left, right == world.shape[1])
+    cells = np.pad(Crop(world, box).cells, outside, constant_values=world.codes.wall)[y:, x:]
+    cells = cells[: len(cells) // 2 * 2, : cells.shape[1] // 2 * 2].astype(np.int64)
+    corner_cells = cells[::2, ::2], cells[::2, 1::2], cells[1::2, ::2], cells[1::2, 1::2]
+    return state_of(corner_cells, world.layout.bits), box.top - above + y, box.left - left + x
 
 
 @lru_cache(maxsize=2**12)
@@ -60,6 +84,13 @@ def _outcomes(rule, state):
     if max(codes) >= len(rule.materials):
         return []
     return [(p, state_of(after, rule.table.bits)) for p, after in rule.outcomes(codes)]
+
+
+@lru_cache(maxsize=2**12)
+def _events(rule, state):
+    """Return the names of the events that can change a block."""
+    codes = corners(state, rule.table.bits)
+    return rule.events_of(codes) if max(codes) < len(rule.materials) else frozenset()
 
 
 @lru_cache(maxsize=2**12)

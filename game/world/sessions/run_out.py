@@ -7,6 +7,8 @@ import numpy as np
 
 from game.core.chance import threshold
 from game.world.sand.advance import advance
+from game.world.sand.block_events import can_change
+from game.world.sand.crop import CropBox
 from game.world.sand.ensemble import Cancelled
 from game.world.sand.fixtures import TAP
 from game.world.sand.neck import find_neck
@@ -83,18 +85,24 @@ def first_moment(lookahead, end, reached):
 
 
 def at_rest(world, rule):
-    """Return whether nothing can move any more under `rule`: neither now nor by any chance it leaves.
-
-    It is known of sand. Under another rule a world where something could happen, but by a chance of 0, counts as awake.
-    """
-    trial, eager = world.copy(), rule
+    """Return whether nothing can change any more under `rule`: neither now nor by any chance it leaves."""
+    trial = world.copy()
     trial.fixtures = tuple(replace(each, every=1) for each in world.fixtures)
     if rule.codes.is_sand:
         eager = rule.with_chances(**{name: _possible(p) for name, p in rule.chances.items()})
-    advance(trial, eager, len(rule.offsets))
-    if rule.codes.is_sand:
-        return bool(np.array_equal(_filled(trial), _filled(world)))
-    return trial.activity.settled
+        advance(trial, eager, len(rule.offsets))
+        return bool(np.array_equal(_contents(trial), _contents(world)))
+    advance(trial, rule, len(rule.offsets))
+    if not np.array_equal(_contents(trial), _contents(world)):
+        return False
+    return not any(can_change(world, rule, box) for box in _restless(trial, len(rule.offsets)))
+
+
+def _restless(world, iterations):
+    """Yield the CropBoxes of the bands in which an event had a block in so many last iterations."""
+    rows = 2 * world.activity.band_rows
+    for band in np.flatnonzero(world.activity.quiet < iterations).tolist():
+        yield CropBox.within(world.shape, band * rows, 0, (band + 1) * rows, world.shape[1])
 
 
 def _possible(p):
@@ -103,14 +111,14 @@ def _possible(p):
 
 def _sign(neck):
     """Return a function of a world whose value changes whenever sand passes the neck or, without one, moves."""
-    return neck.grains_above if neck else lambda world: _filled(world).tobytes()
+    return neck.grains_above if neck else lambda world: _contents(world).tobytes()
 
 
-def _filled(world):
-    """Return the words of all that is neither air nor wall without the seams, which tell nothing."""
+def _contents(world):
+    """Return the words of what the cells hold, colours left out, without the seams, which tell nothing."""
     where = world.layout
-    rows = world.filled_planes[:, : where.rows * where.stride].reshape(4, where.rows, where.stride)
-    return rows[:, :, : where.words]
+    planes = world.planes[: 4 * where.bits, : where.rows * where.stride]
+    return planes.reshape(-1, where.rows, where.stride)[:, :, : where.words]
 
 
 def _last_change(lookahead, sign, cancelled, last, last_ns):

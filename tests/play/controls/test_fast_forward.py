@@ -11,6 +11,7 @@ from game.play.controls import fast_forward
 from game.play.controls.fast_forward import MOST_TOGETHER
 from game.play.timer import run_out_planner
 from game.world.rules.rule import Rule
+from game.world.sand.block_events import possible_events
 from game.world.sand.neck import find_neck
 from game.world.scenes.hourglass_maker import scene_of
 from game.world.sessions.action import Flip, SetRule
@@ -137,6 +138,19 @@ def test_settled_sand_needs_no_iteration(watcher):
         watcher.key(pygame.K_END)
         go_on(watcher)
     assert watcher.parts.notices.text == "Nothing can move here."
+
+
+def test_liquids_that_never_rest_are_stopped_with_a_word_on_what_can_still_happen():
+    player = Player("aquarium", size=(700, 560))
+    player.session.paused = True
+    player.key(pygame.K_END)
+    player.wait(4)
+    player.key(pygame.K_ESCAPE)
+    said = player.parts.notices.text
+    assert said.startswith("Stopped after ") and " iterations. Still possible: " in said
+    assert said.rpartition(": ")[2].removesuffix(".") == ", ".join(possible_events(player.world, player.session.rule))
+    assert player.parts.fast_forward.due() is None
+    pygame.display.quit()
 
 
 def test_the_next_flow_is_the_iteration_at_which_a_grain_passes(watcher):
