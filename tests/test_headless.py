@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from game import advance, headless, load_scene, scene_names
+from game import advance, cli, headless, load_scene, scene_names
 
 ROOT = Path(__file__).parents[1]
 FIELDS = {
@@ -107,10 +107,17 @@ def test_with_no_display_the_toy_says_so_and_runs_headless(driver):
         (["headles"], "headles"),
     ],
 )
-def test_bad_flags_get_one_line_and_status_2(arguments, words):
-    done = command(*arguments)
+def test_bad_flags_get_one_line_and_status_2(arguments, words, capsys):
+    with pytest.raises(SystemExit, match="2"):
+        cli.main(arguments)
+    said = capsys.readouterr()
+    assert said.out == "" and words in said.err and said.err.count("\n") == 1
+
+
+def test_a_process_that_refuses_ends_with_one_line_and_status_2():
+    done = command("--p", "1.5")
     assert done.returncode == 2 and done.stdout == ""
-    assert words in done.stderr and done.stderr.count("\n") == 1 and "Traceback" not in done.stderr
+    assert "p must be in [0, 1], got 1.5" in done.stderr and done.stderr.count("\n") == 1
 
 
 def test_kernels_run_without_a_writable_cache(tmp_path):

@@ -59,8 +59,8 @@ def test_colours_go_where_their_grains_go_across_bands(schedule):
     generator = np.random.default_rng(55)
     world = coloured(random_world(generator, 700, 130, seed=5, sand=0.3), generator)
     assert len(world.activity.quiet) > 1
-    wanted = follow(rows_of(world), world.colours, Rule(schedule=schedule), 5, 9)
-    advance(world, Rule(schedule=schedule), 9)
+    wanted = follow(rows_of(world), world.colours, Rule(schedule=schedule), 5, 5)
+    advance(world, Rule(schedule=schedule), 5)
     assert (world.colours == wanted).all()
     assert (world.activity.changed == world.activity.stamp).all()
 

@@ -42,18 +42,17 @@ def test_any_rule_agrees_with_its_table_block_by_block(bits, number):
     generator = np.random.default_rng(60 + number)
     table = random_table(generator, bits)
     assert table.has_fair_bit
-    layers, schedule = plain.lookups(table), list(SCHEDULES)[number % 3]
-    for chances in CHANCES:
-        moving = pass_of(table, chances)
-        for shape in SHAPES:
-            codes = generator.integers(0, table.codes, shape)
-            lattice, rows = Lattice(codes, table), codes.tolist()
-            for iteration in range(6):
-                offset = SCHEDULES[schedule][iteration % len(SCHEDULES[schedule])]
-                rows = plain.step(table, layers, chances, rows, offset, 7, iteration)
-            lattice.advance(moving, schedule, 7, 0, 2)
-            lattice.advance(moving, schedule, 7, 2, 4)
-            assert (lattice.codes == rows).all(), shape
+    layers, schedule, chances = plain.lookups(table), list(SCHEDULES)[number % 3], CHANCES[number % 2]
+    moving = pass_of(table, chances)
+    for shape in SHAPES:
+        codes = generator.integers(0, table.codes, shape)
+        lattice, rows = Lattice(codes, table), codes.tolist()
+        for iteration in range(6):
+            offset = SCHEDULES[schedule][iteration % len(SCHEDULES[schedule])]
+            rows = plain.step(table, layers, chances, rows, offset, 7, iteration)
+        lattice.advance(moving, schedule, 7, 0, 2)
+        lattice.advance(moving, schedule, 7, 2, 4)
+        assert (lattice.codes == rows).all(), shape
 
 
 def test_lanes_change_no_bit():

@@ -19,11 +19,11 @@ soak = Soak(seed=5)
 parts, known = soak.app.parts, ready()
 for name in ("hourglass", "rainbow", "fountain", "city"):
     parts.sessions.load(name)
-    soak.run(0.1, print)
+    soak.run(0.05, print)
     shown = "view.toggle_forecast", "view.toggle_plots"
     for command in ("sand.flip", "sand.compare", "time.undo", "sand.compare", *shown, "time.redo"):
         parts.commands.give(command)
-        soak.run(0.1, print)
+        soak.run(0.05, print)
     parts.sessions.now.world.digest()
 assert ready() == known, ready() - known
 """
@@ -38,8 +38,8 @@ def soak():
 
 
 def test_nothing_goes_wrong_in_some_seconds_of_random_input(soak):
-    soak.run(3.0, say=print)
-    assert soak.frames > 50 and soak.acts > 20
+    soak.run(2.0, say=print)
+    assert soak.frames > 30 and soak.acts > 12
 
 
 def test_no_kernel_is_compiled_in_mid_play():

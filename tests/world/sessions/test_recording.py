@@ -14,7 +14,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from game import Rule, headless, load_rule, load_scene
+from game import Rule, cli, headless, load_rule, load_scene
 from game.world.files.paths import asset
 from game.world.rules.rule_json import encode_rule
 from game.world.sand.fixtures import Fixture
@@ -334,9 +334,11 @@ def test_headless_replays_a_file(tmp_path):
 
 
 @pytest.mark.parametrize(("name", "words"), [("none.sandglass", "no such file"), (".", "wanted an ordinary file")])
-def test_headless_refuses_what_is_no_replay_in_one_line(name, words, tmp_path):
-    done = command("--replay", str(tmp_path / name))
-    assert done.returncode == 2 and done.stdout == "" and words in done.stderr and done.stderr.count("\n") == 1
+def test_headless_refuses_what_is_no_replay_in_one_line(name, words, tmp_path, capsys):
+    with pytest.raises(SystemExit, match="2"):
+        cli.main(["headless", "--replay", str(tmp_path / name)])
+    said = capsys.readouterr()
+    assert said.out == "" and words in said.err and said.err.count("\n") == 1
 
 
 def test_fixtures_beyond_the_lattice_are_told_of_as_any():

@@ -19,7 +19,7 @@ from game.world.sessions.session import Session
 from tests.cells import small_glass
 from tests.world.random_sessions import SCENES, Listener, actions, obey, plain_world, played, plays, state
 
-steady = settings(derandomize=True, deadline=None, max_examples=40)
+steady = settings(derandomize=True, deadline=None, max_examples=25)
 DOT = Paint("sand", (5.0, 5.0), (9.0, 5.0), 4)
 GLASS = small_glass(40)
 BAR = Paint("wall", (2.0, 12.0), (20.0, 12.0), 3)
