@@ -106,29 +106,36 @@ class _LayerText:
         for at, group in enumerate(self.layer.groups):
             own.setdefault(group.level, []).append(at)
         lines = []
+        certain = [f"{indent}if (world->certain[{self.number}]) {{"]
         for level, groups in own.items():
             lines += _or(f"{indent}sg_word rest{level} = open & (", [f"group{at}" for at in groups], ");")
+            certain += self._bound(level, groups, indent + "    ", "digits")
+            certain += [
+                f"{indent}    yes{level} |= rest{level} & bound{level};",
+                f"{indent}    rest{level} &= ~bound{level};",
+            ]
         rests = " | ".join(f"rest{level}" for level in own)
-        step = f" + {self.number} * SG_LAYER_STEP" if self.number else ""
         lines += [
-            f"{indent}sg_word draw = origin{step};",
-            f"{indent}uint32_t digit = world->first_digit[{self.number}];",
-            f"{indent}for (; digit <= world->last_digit[{self.number}] && sg_any({rests}); digit++) {{",
-            f"{indent}    const uint64_t *const ones = digits + {len(self.layer.groups)} * digit;",
-            f"{indent}    sg_word random = draw ^ draw; /* before the first digit below 1 comes that of 1 itself */",
-            f"{indent}    if (digit) {{",
-            f"{indent}        random = sg_mix(draw);",
-            f"{indent}        draw += SG_GOLDEN;",
-            f"{indent}    }}",
+            *certain,
+            f"{indent}}}",
+            f"{indent}sg_word draw = origin{f' + {self.number} * SG_LAYER_STEP' if self.number else ''};",
+            f"{indent}const uint64_t *ones = digits + {len(self.layer.groups)};",
+            f"{indent}for (uint32_t n = world->draws[{self.number}]; n && sg_any({rests}); n--, "
+            f"ones += {len(self.layer.groups)}, draw += SG_GOLDEN) {{",
+            f"{indent}    const sg_word random = sg_mix(draw);",
         ]
         for level, groups in own.items():
-            terms = [f"(group{at} & ones[{at}])" for at in groups]
-            lines += _or(f"{indent}    const sg_word bound{level} = ", terms, ";")
+            lines += self._bound(level, groups, indent + "    ", "ones")
             lines += [
                 f"{indent}    yes{level} |= rest{level} & bound{level} & ~random;",
                 f"{indent}    rest{level} &= ~(random ^ bound{level});",
             ]
         return [*lines, f"{indent}}}"]
+
+    def _bound(self, level, groups, indent, digits):
+        """Return the lines that work out a digit of the thresholds of all blocks."""
+        terms = [f"(group{at} & {digits}[{at}])" for at in groups]
+        return _or(f"{indent}const sg_word bound{level} = ", terms, ";")
 
     def _act(self, yes, indent):
         """Return the lines that store what the outcomes change."""
@@ -142,7 +149,8 @@ class _LayerText:
                 if (corner, bit) in delta
             ]
             stream = f"{CORNERS[corner]}{bit}"
-            lines += [f"{indent}SG_STORE(at_{stream} + i, {stream} ^ ({' | '.join(terms)}));"]
+            turned = terms[0] if len(terms) == 1 else f"({' | '.join(terms)})"
+            lines += [f"{indent}SG_STORE(at_{stream} + i, {stream} ^ {turned});"]
         return lines
 
 

@@ -11,7 +11,7 @@ from game.export.start_scene import small_start
 from game.world.sand.schedules import SCHEDULES
 from tests.export.library import LARGE, builds, compiled, library
 
-WORLDS = 200 if LARGE else 20
+WORLDS = 60 if LARGE else 20
 SHAPES = ((1, 1), (1, 130), (129, 1), (2, 2), (3, 128), (9, 127), (8, 129), (5, 256), (12, 257))
 
 

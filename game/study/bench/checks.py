@@ -89,6 +89,16 @@ def table_peers_same_as_twin(peers, world, rule, most):
     return iterations
 
 
+def header_same_as_ours(name, header, world, rule, most):
+    """Return for how many iterations an ExportedHeader and `advance` agree; raise WrongCellsError if they do not."""
+    iterations = _iterations_of_any(world, most)
+    memory, ours = header.memory_of(world), world.copy()
+    header.advance(memory, iterations)
+    advance(ours, rule, iterations)
+    _compare(name, header.materials(memory, world.shape), ours.materials, world.shape, iterations)
+    return iterations
+
+
 def _iterations_of_any(world, most):
     return min(most, max(FEWEST, TABLE_WORK // world.materials.size))
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 from game.core.compiler.rule_pass import pass_of
 from game.study.bench import goals, worlds
-from game.study.bench.checks import same_as_table_twin, table_peers_same_as_twin
-from game.study.bench.rounds import MICROSECONDS, ours, take_turns, theirs
-from game.study.peers import cpp_blocks, table_loop
+from game.study.bench.checks import header_same_as_ours, same_as_table_twin, table_peers_same_as_twin
+from game.study.bench.rounds import MICROSECONDS, header_in_c, ours, take_turns, theirs
+from game.study.peers import cpp_blocks, exported_header, table_loop
 from game.study.peers.block_table import block_table
 from game.study.report import table
 from game.study.report.report import Section
@@ -56,10 +56,11 @@ def rule_peer_table(plan):
         f"{plan.peer_batch} iterations in one call from the same world, one thread each. Materials: air and wall are "
         "among them. The loops' table has the outcomes of each block state, all layers of the rule folded into one "
         "draw.",
+        f"The header is what `export` writes, {' '.join(exported_header.FLAGS[1:])}.",
         "Ready: ours, from what the rule says to machine code that was checked on all block states; the loops, "
-        "compiled and their table filled; timed once.",
+        "compiled and their table filled; the header, compiled; timed once.",
         "Checked: so many iterations, cell by cell: ours against a plain twin of any rule that draws the same numbers, "
-        "the loops against that twin with their table and their numbers.",
+        "the loops against that twin with their table and their numbers, the header against ours.",
     ]
     return Section("rule peers", "2b · Peers, by the number of materials", [Table("", PEER_COLUMNS, rows), *notes])
 
@@ -75,8 +76,13 @@ def _beside_peers(name, rule, plan):
     checked[OURS] = same_as_table_twin(world, rule, plan.checked)
     ready_ms = {peer.key: _compiled_ms(peer.key) + _filled_ms(rule) for peer in peers} | {OURS: _made_ms(rule)}
     timed = [ours(OURS, world, rule, plan.peer_batch), *(theirs(peer, world, rule, plan.peer_batch) for peer in peers)]
-    found = take_turns(timed, plan.rounds, plan.sample_ns)
     names = {**{peer.key: peer.name for peer in peers}, OURS: "ours, bit planes"}
+    for compiler in exported_header.compilers():
+        names[compiler] = f"ours, exported as a C header, {compiler}"
+        header, ready_ms[compiler] = _header(rule, compiler)
+        checked[compiler] = header_same_as_ours(names[compiler], header, world, rule, plan.checked)
+        timed.append(header_in_c(compiler, header, world, plan.peer_batch))
+    found = take_turns(timed, plan.rounds, plan.sample_ns)
     return rows + [
         {
             **_row(name, rule, found[key], plan.rule_size, ready_ms[key], checked[key]),
@@ -132,10 +138,29 @@ def _goal(name, found, size):
 
 
 def _peer_goal(name, key, found, size):
+    if key in exported_header.COMPILERS:
+        return _header_goal(name, key, found, size)
     if (name, key) != (ALCHEMY, CPP):
         return None
     what = f"{ALCHEMY}, all moving, {table.size(size)}: as fast as bytes and a table in C++"
     return goals.at_least(what, found[key].times(found[OURS]), goals.TABLE_PEER)
+
+
+def _header_goal(name, key, found, size):
+    where = f"header in C, {key}, {name}, all moving, {table.size(size)}"
+    if name == SAND:
+        return goals.at_most(f"{where}: of ours", found[key].times(found[OURS]), goals.HEADER)
+    if name == ALCHEMY and CPP in found:
+        what = f"{where}: as fast as bytes and a table in C++"
+        return goals.at_least(what, found[CPP].times(found[key]), goals.HEADER_PEER)
+    return None
+
+
+def _header(rule, compiler):
+    """Return the ExportedHeader of a rule, and how long it takes to write and compile it."""
+    start = time.perf_counter()
+    header = exported_header.ExportedHeader(rule, compiler)
+    return header, 1e3 * (time.perf_counter() - start)
 
 
 @cache

@@ -8,6 +8,7 @@ from functools import partial
 
 import numpy as np
 
+from game.study.peers.exported_header import copy_of
 from game.study.peers.lattice import lattice
 from game.study.report.table import three_digits
 from game.world.sand.advance import advance
@@ -117,6 +118,18 @@ def theirs(peer, world, rule, batch):
     """Return `batch` iterations of a peer."""
     cells = lattice(world)
     return Workload(peer.key, lambda state: peer.advance(state, rule, world.iteration, batch), cells.copy, batch)
+
+
+def header_in_c(key, header, world, batch):
+    """Return `batch` iterations of an ExportedHeader on a world at iteration 0."""
+    memory = header.memory_of(world)
+
+    def fresh():
+        state = copy_of(memory)
+        header.advance(state, LEAD_IN)
+        return state
+
+    return Workload(key, lambda state: header.advance(state, batch), fresh, batch)
 
 
 def xor_pass(cells, passes):

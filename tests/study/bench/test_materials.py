@@ -7,7 +7,7 @@ import pytest
 
 from game import load_rule, rule_names
 from game.study.bench import checks, materials, worlds
-from game.study.peers import Peer, cpp_blocks, table_blocks, table_loop
+from game.study.peers import Peer, cpp_blocks, exported_header, table_blocks, table_loop
 from game.study.peers.block_table import block_table, loop_chances
 from game.world.files.paths import asset
 from game.world.rules.rule import SCHEDULES
@@ -101,6 +101,15 @@ def test_kernels_that_move_otherwise_are_refused_before_any_time_is_taken(measur
     monkeypatch.setattr(materials, "take_turns", None)
     with pytest.raises(checks.WrongCellsError, match="advance differs from the plain twin"):
         measure(TINY)
+
+
+def test_a_header_that_moves_otherwise_is_refused_before_any_time_is_taken(monkeypatch):
+    if not exported_header.compilers():
+        pytest.skip("neither gcc nor clang found")
+    monkeypatch.setattr(exported_header.ExportedHeader, "advance", lambda self, memory, iterations: None)
+    monkeypatch.setattr(materials, "take_turns", None)
+    with pytest.raises(checks.WrongCellsError, match="exported as a C header"):
+        materials.rule_peer_table(TINY)
 
 
 def test_without_a_compiler_a_row_says_so(monkeypatch):
