@@ -77,7 +77,7 @@ def _beside_peers(name, rule, plan):
     ready_ms = {peer.key: _compiled_ms(peer.key) + _filled_ms(rule) for peer in peers} | {OURS: _made_ms(rule)}
     timed = [ours(OURS, world, rule, plan.peer_batch), *(theirs(peer, world, rule, plan.peer_batch) for peer in peers)]
     names = {**{peer.key: peer.name for peer in peers}, OURS: "ours, bit planes"}
-    for compiler in exported_header.compilers():
+    for compiler in filter(exported_header.is_there, plan.headers):
         names[compiler] = f"ours, exported as a C header, {compiler}"
         header, ready_ms[compiler] = _header(rule, compiler)
         checked[compiler] = header_same_as_ours(names[compiler], header, world, rule, plan.checked)
@@ -138,7 +138,7 @@ def _goal(name, found, size):
 
 
 def _peer_goal(name, key, found, size):
-    if key in exported_header.COMPILERS:
+    if key not in (OURS, CPP, LOOP):
         return _header_goal(name, key, found, size)
     if (name, key) != (ALCHEMY, CPP):
         return None

@@ -34,6 +34,7 @@ class BenchPlan:
     scene_size: tuple
     glass_sizes: tuple
     scale_sizes: tuple
+    headers: tuple  # compilers of the exported header, where they are there
     rule_size: tuple  # of the lattices on which rules of several materials are held against peers, …
     rule_scale_sizes: tuple  # … and of those that tell the time of a cell
     frame_cases: tuple
@@ -63,6 +64,7 @@ FULL = BenchPlan(
     scene_size=FOUR_K,
     glass_sizes=((61, 61), (240, 180), FULL_HD, FOUR_K, LARGEST),
     scale_sizes=((61, 61), (240, 180), (640, 480), FULL_HD, FOUR_K, (4096, 4096), (7680, 4320), LARGEST),
+    headers=("gcc", "clang"),
     rule_size=FULL_HD,
     rule_scale_sizes=((61, 61), (240, 180), FULL_HD, FOUR_K),
     frame_cases=(
@@ -98,6 +100,7 @@ QUICK = BenchPlan(
     scene_size=FULL_HD,
     glass_sizes=((61, 61), (240, 180), FULL_HD),
     scale_sizes=((61, 61), (240, 180), FULL_HD, FOUR_K),
+    headers=("gcc",),
     rule_size=FULL_HD,
     rule_scale_sizes=((240, 180), FULL_HD),
     frame_cases=GOAL_FRAMES,

@@ -42,6 +42,7 @@ TINY = plan.BenchPlan(
     scene_size=(61, 61),
     glass_sizes=((61, 61),),
     scale_sizes=((16, 16), (64, 48)),
+    headers=(),
     rule_size=(30, 20),
     rule_scale_sizes=((16, 16),),
     frame_cases=(HOURGLASS,),
