@@ -1,17 +1,23 @@
 """Passes: machine code does to every lattice what the table of its rule says, block by block."""
 
+import ctypes
+from itertools import product
+
 import numpy as np
 import pytest
 
 from game.core import planes as bit_planes
 from game.core.compiler import machine_code, rule_pass
+from game.core.compiler.plan import threshold_of
 from game.core.compiler.rule_pass import pass_of
+from game.core.rule_table import CERTAIN, state_of
 from game.core.step import advance_planes
 from game.world.rules.rule import SAND, SCHEDULES
 from game.world.sand.active_bands import ActiveBands
 from tests.core.compiler import plain
 from tests.core.compiler.rules import random_table
 
+FULL = 2**64 - 1
 SHAPES = [(1, 1), (2, 3), (9, 12), (8, 128), (5, 129), (70, 3)]
 CHANCES = [(0.5, 0.25, 0.7, 0.3, 0.125, 0.0), (1.0, 0.0, 0.9, 2.0**-9, 0.6, 1.0)]
 
@@ -94,3 +100,24 @@ def test_skipping_and_skewing_change_no_bit_of_any_rule(schedule):
         creeping.bands.quiet[:] = 0
         creeping.advance(moving, schedule, 5, iteration, 1)
     assert (whole.codes == creeping.codes).all() and (whole.codes != codes).any()
+
+
+def test_a_pass_tells_of_events_that_could_have_been_and_of_those_that_were_in_blocks_that_take_part_alone():
+    tower, pile = state_of((1, 0, 1, 0), 2), state_of((1, 0, 0, 1), 2)
+    told = {}
+    for p, state, may in product((0.0, 0.5, 1.0), (tower, pile, 0), (FULL, 0)):
+        moving = pass_of(SAND.table, (p, p, *[1.0] * 5), most_lanes=1)
+        planes = np.array([FULL * (state >> bit & 1) for bit in range(8)], np.uint64)
+        arrays = planes, np.arange(8, dtype=np.int64), np.array([may, 0], np.uint64), np.zeros(2, np.uint64)
+        call = ctypes.CFUNCTYPE(ctypes.c_int64, *[ctypes.c_uint64] * 7)(moving.code.address)
+        told[p, state, may] = call(*(each.ctypes.data for each in arrays), 0, moving.chances.ctypes.data, 1)
+    assert told[0.0, tower, FULL] == 1 and told[0.5, tower, FULL] == told[1.0, tower, FULL] == 3
+    assert all(told[p, pile, FULL] == 3 for p in (0.0, 0.5, 1.0)), "the upper grain falls in any case"
+    assert not any(number for (_, state, may), number in told.items() if state == 0 or may == 0)
+
+
+def test_a_threshold_is_the_nearest_multiple_of_the_smallest_one_and_those_of_outcomes_add_up():
+    assert [threshold_of((0,), (k * 2.0**-34,)) for k in (1, 3, 5, 7)] == [0, 1, 1, 2]
+    assert threshold_of((0, 1), (0.75 * 2.0**-32,) * 2) == 2, "the sum is rounded, and not its parts"
+    assert threshold_of((0, 1), (0.7, 0.7)) == threshold_of((CERTAIN, 0), (0.1,)) == 2**32
+    assert threshold_of((0,), (1 - 2.0**-34,)) == 2**32 and threshold_of((0,), (1 - 2.0**-32,)) == 2**32 - 1
