@@ -4,7 +4,7 @@ import numpy as np
 
 from game.core import jit, planes
 from game.core.draw.cells import draw_turned
-from game.core.draw.glow import LEVELS, lay_light, light_between
+from game.core.draw.firelight import LEVELS, lay_light, light_between
 from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
 from game.world.background.forecast_thread import ForecastRequest, forecast_of
 from game.world.looks.heatmap_colours import cover

@@ -27,7 +27,7 @@ from game.core.draw.looks import (
 )
 from game.core.planes import DEPTH, layout
 from game.world.looks import colour_space
-from game.world.looks.glow import MOST_LIT, Glow
+from game.world.looks.firelight import MOST_LIT, Firelight
 from game.world.looks.motion_samples import NO_SAMPLES
 from game.world.looks.themes import NIGHT, palette, rgb
 
@@ -99,17 +99,17 @@ class Painter:
         is_small = view.shape[0] * view.shape[1] <= MOST_DECORATED
         self._glass = walls == "glass" and is_small and has_glass(substances)
         self._decor, self._decorated = NO_DECOR, None  # what decorates the glass, and its walls
-        self._glow = None
+        self._firelight = None
         glowing = [each for each in substances.all if each.glows]
         if glowing and colours.glow and mixes and view.shape[0] * view.shape[1] <= MOST_LIT:
-            self._glow = Glow(glowing, colours.glow, map_rgb, view)
+            self._firelight = Firelight(glowing, colours.glow, map_rgb, view)
         self.look_through(view)
 
     def look_through(self, view):
         """Draw through another view of the same lattice, everything at first."""
         self.view, self._world = view, None
-        if self._glow:
-            self._glow.look_through(view)
+        if self._firelight:
+            self._firelight.look_through(view)
         self._mixes = view.dense and self._paints.lights is not None
         self._counts = self._mixes and view.cell < MIXED_BY_TWO
         words = layout(*view.shape).words
@@ -134,14 +134,14 @@ class Painter:
         self._world, self._seen, self._drawn_at = world, world.activity.stamp, world.iteration
         self._samples, self._moving = (streams.samples, streams.moving > 0) if smooth else (NO_SAMPLES, ())
         self._trail = streams.trail if smooth else None
-        if self._glow and spans:
-            lit = self._glow.follow(world)
+        if self._firelight and spans:
+            lit = self._firelight.follow(world)
             spans += [self._pixels_of(*lit)] if lit else []
         drawn = _merged(spans)
         for top, bottom in drawn:
             self._draw_rows(world, pixels, top, bottom)
-            if self._glow:
-                self._glow.draw(pixels, top, bottom)
+            if self._firelight:
+                self._firelight.draw(pixels, top, bottom)
         return drawn
 
     def differs(self, world):

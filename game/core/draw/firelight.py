@@ -1,4 +1,4 @@
-"""Glow: how much of what glows lies in each tile of a lattice, the light between the tiles' middles, and lit pixels."""
+"""Firelight: how much of what glows lies in each tile of a lattice, the light between tiles, and lit pixels."""
 
 import numpy as np
 

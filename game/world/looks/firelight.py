@@ -1,8 +1,8 @@
-"""The glow of fire and lava, which lights up what is near."""
+"""Firelight: what glows lights up what is near."""
 
 import numpy as np
 
-from game.core.draw.glow import FULL, LEVELS, TILE, count_glowing, lay_light, light_between, padded, tiles_of
+from game.core.draw.firelight import FULL, LEVELS, TILE, count_glowing, lay_light, light_between, padded, tiles_of
 from game.core.planes import planes_where
 
 REACH = 5  # tiles from one that glows to the first that it does not light
@@ -11,7 +11,7 @@ BRIGHTEST = LEVELS - 1
 MOST_LIT = 2**21  # cells: in a larger lattice glowing would hold a frame up
 
 
-class Glow:
+class Firelight:
     """The light in one world as drawn last."""
 
     def __init__(self, glowing, strength, map_rgb, view):

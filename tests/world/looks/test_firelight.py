@@ -1,12 +1,12 @@
-"""The glow: what glows lights up what is near, and nothing else."""
+"""Firelight: what glows lights up what is near, and nothing else."""
 
 import numpy as np
 import pytest
 
 from game import World, load_rule
-from game.core.draw.glow import FULL, TILE, count_glowing, padded, tiles_of
+from game.core.draw.firelight import FULL, TILE, count_glowing, padded, tiles_of
 from game.core.planes import planes_where
-from game.world.looks.glow import REACH
+from game.world.looks.firelight import REACH
 from game.world.looks.painter import Painter
 from game.world.looks.themes import NIGHT, THEMES, substances_of
 from game.world.looks.view import View
