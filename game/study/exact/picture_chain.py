@@ -22,7 +22,7 @@ class PictureChain:
 
     def __init__(self, rows, rule, offsets):
         self.rule, self.offsets, self.width = rule, offsets, len(rows[0])
-        self.letters = "".join(rule.materials)
+        self.letters, self.claimed = "".join(rule.materials), set()  # names of the events that have come up
         self.cells = [place for place, letter in enumerate("".join(rows)) if letter != rule.wall]
         if len(self.letters) ** len(self.cells) > 2**64:
             raise ValueError(f"{len(self.cells)} cells of {len(self.letters)} materials have no number of 64 bits")
@@ -63,7 +63,9 @@ class PictureChain:
         for content in np.unique(contents):
             here = np.flatnonzero(contents == content)
             letters = self._letters(int(content), block)
-            for after, p in self.rule.outcomes(letters).items():
+            fate = self.rule.fate(letters)
+            self.claimed |= fate.events
+            for after, p in fate.outcomes.items():
                 change = sum(
                     worth * (self.letters.index(new) - self.letters.index(old))
                     for worth, old, new in zip(block, letters, after, strict=True)

@@ -7,6 +7,7 @@ assets/rules/README.md tells.
 import tomllib
 from functools import cache
 from itertools import chain
+from typing import NamedTuple
 
 LOOKS = {  # for each way to turn a picture: the corners that its corners a b c d then show
     "as drawn": ("abcd",),
@@ -17,6 +18,13 @@ MIRROR = LOOKS["mirror"][1]
 PLACES = {(1, 1): "abcd", (2, 1): ("ab", "cd"), (1, 2): ("ac", "bd"), (2, 2): ("abcd",)}  # by (width, height)
 FLUIDS = {"empty", "liquid", "gas"}
 ANYTHING = "?"
+
+
+class Fate(NamedTuple):
+    """What may become of a block."""
+
+    outcomes: dict  # {block after: probability}, the block as it is now among them; 1 in all
+    events: frozenset  # the names of the events that may have the block to themselves
 
 
 class PictureRule:
@@ -32,37 +40,34 @@ class PictureRule:
         self.chances = {name: each["value"] if isinstance(each, dict) else each for name, each in told.items()}
         self.chances |= chances or {}
         self.events = [_Event(self, each, file.get("any", {})) for file in files for each in file.get("event", ())]
-        self.outcomes = cache(self._outcomes)
+        self.fate = cache(self._fate)
 
-    @property
-    def claimed(self):
-        """The names of the events that have had a block to themselves so far."""
-        return {event.name for event in self.events if event.has_claimed}
-
-    def _outcomes(self, block):
-        """Return {block after: probability} of a block, as it is now among them: 1 in all."""
-        found = {}
+    def _fate(self, block):
+        """Return the Fate of a block."""
+        found, events = {}, set()
         for fair_bit in (False, True):
             left = 0.5
             for layer in self.layers:
-                came = self._claim(layer, block, fair_bit)
-                for p, after in came:
+                name, claim = self._claim(layer, block, fair_bit)
+                for p, after in claim:
                     found[after] = found.get(after, 0.0) + left * p
-                left *= 1.0 - sum(p for p, _ in came)
+                if left and claim:
+                    events.add(name)
+                left *= 1.0 - sum(p for p, _ in claim)
             found[block] = found.get(block, 0.0) + left
-        return {after: p for after, p in found.items() if p > 0.0}
+        return Fate({after: p for after, p in found.items() if p > 0.0}, frozenset(events))
 
     def _claim(self, layer, block, fair_bit):
-        """Return the outcomes [(probability, block after)] of the event that has the layer to itself, if any."""
-        claims = (event.claim(block, fair_bit) for event in self.events if event.layer == layer)
-        return next((claim for claim in claims if claim), [])
+        """Return (name, outcomes) of the event that has the layer to itself, if any: [(probability, block after)]."""
+        claims = ((event.name, event.claim(block, fair_bit)) for event in self.events if event.layer == layer)
+        return next((claim for claim in claims if claim[1]), ("", []))
 
 
 class _Event:
     """An event, and its picture in all places: (before, [after, ...]), each four signs."""
 
     def __init__(self, rule, told, groups):
-        self.rule, self.name, self.has_claimed = rule, told["name"], False
+        self.rule, self.name = rule, told["name"]
         self.layer = told.get("layer", rule.layers[0])
         self.where = [(words[0], words[2:-2], words[-1]) for words in told.get("where", ())]
         self.chances = told["chance"] if isinstance(told.get("chance"), list) else [told.get("chance", 1.0)]
@@ -97,7 +102,6 @@ class _Event:
         for before, *afters in self.mirrored if fair_bit else self.drawn:
             means = self._means(before, block)
             if means is not None and all(self._relation(means[x], means[y]) == how for x, how, y in self.where):
-                self.has_claimed = True
                 return [
                     (self._p(p, means), _filled(after, means, block))
                     for p, after in zip(self.chances, afters, strict=True)

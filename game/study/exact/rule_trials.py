@@ -1,6 +1,7 @@
 """Trials of any rule: an ensemble for each small lattice, schedule and choice of chances, held against its pictures."""
 
 from dataclasses import dataclass
+from functools import cache
 from itertools import product
 from typing import NamedTuple
 
@@ -44,7 +45,7 @@ class RuleTrial:
 
     def run(self, runs):
         """Run the ensemble and return its RuleTrialResult at the moment of most uncertainty."""
-        pictures = self._pictures()
+        pictures = pictures_of(self.rule, self.chances)
         rows = LATTICES[self.rule][self.lattice]
         chain = PictureChain(rows, pictures, SCHEDULES[self.schedule])
         iterations, now = most_uncertain(chain)
@@ -53,11 +54,7 @@ class RuleTrial:
         for number, (name, letters) in enumerate(told_materials(pictures).items()):
             world = _world(rows, rule, (self.number << 32) + (number << 16))
             materials[name] = _held_against(chain.seen(now, letters), world, rule, iterations, runs, name, len(letters))
-        return RuleTrialResult(self, iterations, len(now.states), materials, frozenset(pictures.claimed))
-
-    def _pictures(self):
-        path = asset("rules", f"{self.rule}.toml")
-        return PictureRule(path, CHANCES[self.chances](PictureRule(path).chances))
+        return RuleTrialResult(self, iterations, len(now.states), materials, frozenset(chain.claimed))
 
 
 class Held(NamedTuple):
@@ -86,6 +83,13 @@ def trials(everything):
     else:
         names = [(*lattice, *settings[number % len(settings)]) for number, lattice in enumerate(lattices)]
     return [RuleTrial(*each, number) for number, each in enumerate(names)]
+
+
+@cache
+def pictures_of(rule, chances):
+    """Return the PictureRule of a shipped rule, by name, with a choice of CHANCES."""
+    path = asset("rules", f"{rule}.toml")
+    return PictureRule(path, CHANCES[chances](PictureRule(path).chances))
 
 
 def told_materials(pictures):

@@ -32,7 +32,9 @@ def test_an_ensemble_of_several_materials_agrees_with_its_pictures(chances):
 
 def test_one_chance_a_twentieth_off_does_not_agree(monkeypatch):
     monkeypatch.setattr(rule_trials.PictureRule, "__init__", read_a_little_off)
+    rule_trials.pictures_of.cache_clear()
     assert min(p_values(TRIAL.run(RUNS))) < 1e-9
+    rule_trials.pictures_of.cache_clear()
 
 
 def read_a_little_off(rule, path, chances=None, read=PictureRule.__init__):
