@@ -187,7 +187,7 @@ def _bench_parser():
         description="Measure how fast the sand is, beside the paper, other programs and the memory.",
     )
     parser.add_argument(
-        "--quick", action="store_true", help="smaller lattices and fewer rounds: half a minute instead of six"
+        "--quick", action="store_true", help="smaller lattices and fewer rounds: a minute instead of seven"
     )
     parser.add_argument("--json", action="store_true", help="print one JSON object")
     parser.add_argument(
@@ -201,7 +201,7 @@ def _study_parser():
         prog="sandglass study",
         description="Compare the sand, row by row, with what is expected; exit with status 1 if a row disagrees.",
     )
-    parser.add_argument("--quick", action="store_true", help="less than a minute, with larger errors")
+    parser.add_argument("--quick", action="store_true", help="about a minute, with larger errors")
     parser.add_argument(
         "--out",
         type=Path,
