@@ -61,8 +61,10 @@ def test_a_table_of_block_states_has_the_outcomes_of_the_pictures(name):
         assert found == pytest.approx(pictures.outcomes([letters[code] for code in codes]), abs=1e-8), codes
 
 
-@pytest.mark.parametrize("schedule", SCHEDULES)
-@pytest.mark.parametrize("name", ["alchemy", "sand"])
+@pytest.mark.parametrize(
+    ("name", "schedule"),
+    [("alchemy", "paper"), *((name, each) for name in ("sand", "three-sands") for each in SCHEDULES)],
+)
 def test_the_loops_are_the_twin_with_their_table_and_their_numbers(name, schedule):
     rule = load_rule(name).with_schedule(schedule)
     layer = block_table(rule).as_layer()
