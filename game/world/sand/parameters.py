@@ -63,7 +63,6 @@ ITERATIONS = Knob("iterations", 0, 0, 2**62, "", "how many iterations to run", w
 RUNS = Knob("runs", 10_000, 1, 10**9, "", "how many independent runs a forecast counts", whole=True)
 AHEAD = Knob("ahead", 200, 1, 10_000, "iterations", "how far ahead a forecast looks", whole=True)
 ROW = Knob("row", 0, 0, SIDE.high, "cells", "a row of the lattice, counted from the top", whole=True)
-START = Knob("start", 0, 0, 2**128, "", "the iteration a forecast starts at", whole=True)
 MOMENT = Knob("at", 0, 0, 2**53, "iterations", "a moment of a session, since its beginning", whole=True)
 MEMORY = Knob("memory", 256, 1, 2**20, "MB", "how much memory the snapshots of the past may take", whole=True)
 TIMER = Knob("timer", 180, 1, 86_400, "seconds", "how long it takes until the last grain falls")

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import replace
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 from game.world.files.checked_table import CheckedTable, shown
@@ -136,21 +135,6 @@ def encode(entry, known):
     return {"at": entry.at, "do": name, **_spelled(what, fields, known), **_joined(entry)}
 
 
-def encode_story(entries, known):
-    """Yield entries as dicts, the joined segments of a line drawn with one brush as one stroke."""
-    stroke = []
-    for entry in entries:
-        if stroke and not (entry.join and _continues(stroke[-1].what, entry.what) and len(stroke) < LONGEST_STROKE):
-            yield _encode_stroke(stroke, known)
-            stroke = []
-        if isinstance(entry.what, Paint):
-            stroke.append(entry)
-        else:
-            yield encode(entry, known)
-    if stroke:
-        yield _encode_stroke(stroke, known)
-
-
 def decode(table, known):
     """Return the entries, one or more, that a CheckedTable records; raise TableError where it records none."""
     at = table.number("at", parameters.MOMENT)
@@ -189,25 +173,6 @@ def _snapped(paint):
 
 def _short(place):
     return [int(part) if part == int(part) else part for part in place]
-
-
-def _continues(before, paint):
-    """Return whether a segment goes on where the one before ended, with the same brush."""
-    if not isinstance(paint, Paint):
-        return False
-    before, paint = _snapped(before), _snapped(paint)
-    return before.end == paint.start and before == replace(paint, start=before.start, end=before.end)
-
-
-def _encode_stroke(entries, known):
-    """Return the record of segments: the path's points as [iterations since the point before, x, y], start first."""
-    if len(entries) == 1:
-        return encode(entries[0], known)
-    first, paints = entries[0], [_snapped(each.what) for each in entries]
-    waits = [0, *(each.at - before.at for before, each in pairwise(entries))]
-    path = [[0, *_short(paints[0].start)]]
-    path += [[wait, *_short(paint.end)] for wait, paint in zip(waits, paints, strict=True)]
-    return {"at": first.at, "do": "stroke", **_spelled(paints[0], BRUSH, known), "path": path, **_joined(first)}
 
 
 def _decode_stroke(table, at, joined):

@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 from game.world.files.atomic import FileError, load
 from game.world.files.checked_table import TableError
 from game.world.scenes.scene import Scene
-from game.world.sessions.session_format import LARGEST_FILE, VERSION, LineReader, LineWriter, ReplayError
+from game.world.sessions.session_format import LARGEST_FILE, VERSION, LineReader, ReplayError
 
-__all__ = ["SUFFIX", "Recording", "ReplayError", "load_replay", "parse", "recording_of", "to_bytes"]
+__all__ = ["SUFFIX", "Recording", "ReplayError", "load_replay", "parse"]
 
 SUFFIX = ".sandglass"
 
@@ -22,25 +22,6 @@ class Recording:
     end: int = 0  # the iteration the session had come to
     digest: str | None = None  # the world's digest there, "" if not known; None where the file tells no end
     problem: str | None = None  # what is wrong with the rest of the file, in one line
-
-
-def recording_of(session):
-    """Return the Recording of a session's present line, up to the present moment."""
-    history, now = session.timeline.history, session.now
-    session.timeline.catch_up()
-    entries = [entry for entry in history.story() if entry.at <= now]
-    scene, seed = session.timeline.start
-    return Recording(scene, seed, entries, now, session.world.digest())
-
-
-def to_bytes(recording):
-    """Return the file of a Recording that has an end; raise ReplayError where nobody could read it."""
-    pen = LineWriter()
-    lines = pen.header(recording.scene, recording.seed), pen.story(recording.entries)
-    data = b"".join(lines) + pen.end(recording.end, recording.digest)
-    if pen.known.are_too_many:
-        raise ReplayError("the scenes of this session are too large for one file")
-    return data
 
 
 def load_replay(path):

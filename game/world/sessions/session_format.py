@@ -36,10 +36,6 @@ class LineWriter:
         """Return the line of an Entry."""
         return self.line(action_json.encode(entry, self.known))
 
-    def story(self, entries):
-        """Return the lines of entries, strokes drawn together."""
-        return b"".join(self.line(values) for values in action_json.encode_story(entries, self.known))
-
     def end(self, at, digest):
         """Return the last line: where the session ended, and the world's digest there ("" where nobody knows)."""
         return self.line({"at": at, "do": "end", "digest": digest})

@@ -10,8 +10,9 @@ from game import Rule
 from game.play.controls.brush import SIZES, TOOLS
 from game.world.sand.fixtures import Fixture
 from game.world.sessions.action import Paint, SetRule
-from game.world.sessions.recording import parse, recording_of, to_bytes
+from game.world.sessions.recording import parse
 from game.world.sessions.session import Session
+from tests.saved import recording_of, to_bytes
 
 LETTERS = {
     "brush": pygame.K_d,

@@ -4,8 +4,9 @@ import pygame
 import pytest
 
 from game.world.sand.sand_colours import COLOURS, DYES, RAINBOW
-from game.world.sessions.recording import parse, recording_of, to_bytes
+from game.world.sessions.recording import parse
 from game.world.sessions.session import Session
+from tests.saved import recording_of, to_bytes
 
 
 @pytest.fixture

@@ -11,10 +11,10 @@ from PIL.PngImagePlugin import PngInfo
 from game.world.scenes.picture_file import PictureError, save_picture
 from game.world.scenes.picture_pixels import CHUNK
 from game.world.sessions.journal import Journal, JournalError
-from game.world.sessions.recording import ReplayError, load_replay, parse, recording_of, to_bytes
+from game.world.sessions.recording import ReplayError, load_replay, parse
 from game.world.sessions.session import Session
 from game.world.sessions.session_format import LineWriter
-from tests.saved import load_picture
+from tests.saved import load_picture, recording_of, to_bytes
 from tests.world.random_sessions import SCENES
 from tests.world.sessions.test_recording import sample, values_of
 

@@ -9,9 +9,10 @@ from game.world.files import atomic
 from game.world.scenes.scene import Scene
 from game.world.sessions import timeline as timelines
 from game.world.sessions.journal import Journal
-from game.world.sessions.recording import Recording, load_replay, parse, recording_of, to_bytes
+from game.world.sessions.recording import Recording, load_replay, parse
 from game.world.sessions.session import Session
 from tests.cells import strewn
+from tests.saved import recording_of, to_bytes
 from tests.world.random_sessions import (
     SCENES,
     actions_of,
