@@ -1,5 +1,6 @@
 """What an exported README shows is built and run, with stand-ins for the engines' own classes."""
 
+import os
 import re
 
 import numpy as np
@@ -12,6 +13,15 @@ from tests.export.library import FOLDER, LARGE, STRICT, builds, compiler_of, nee
 STAND_INS = FOLDER / "stand_ins"
 FENCE = re.compile(r"^```(\w+)\n(.*?)^```$", re.DOTALL | re.MULTILINE)
 FRAMES, ITERATIONS = 20, 4
+GDSCRIPT = """
+extends SceneTree
+func _init():
+	var script = NativeScript.new()
+	script.library = load("res://sand.gdnlib")
+	script.set_class_name("SandWorld")
+	script.new().run()
+	quit()
+"""
 
 
 @pytest.fixture
@@ -110,14 +120,23 @@ def test_two_rules_fit_in_one_program(out):
     run(out / "both")
 
 
+def test_the_header_runs_in_the_server_of_godot_3(out):
+    needs("godot3-server", "gcc")
+    run(*compiler_of("gcc"), *STRICT, "-I", ".", "-shared", "-fPIC", STAND_INS / "gdnative.c", "-o", "sand.so", cwd=out)
+    (out / "project.godot").write_text("config_version=4\n", encoding="utf-8")
+    library = '[general]\nsymbol_prefix="godot_"\n[entry]\nServer.64="res://sand.so"\n[dependencies]\nServer.64=[]\n'
+    (out / "sand.gdnlib").write_text(library, encoding="utf-8")
+    (out / "run.gd").write_text(GDSCRIPT, encoding="utf-8")
+    printed = run("godot3-server", "--path", ".", "-s", "run.gd", cwd=out, env={**os.environ, "HOME": str(out)})
+    assert printed.splitlines()[-1] == world_after(FRAMES * ITERATIONS).digest()
+
+
 def test_the_class_for_unity_draws_the_cells(out):
     needs("mcs", "mono", "cc")
     run("sh", "-c", command("libsandglass.so").replace("-O3", "-O0"), cwd=out)
     (out / "SandWorld.cs").write_text(shown("csharp"), encoding="utf-8")
     run("mcs", "-out:run.exe", "SandWorld.cs", STAND_INS / "unity.cs", cwd=out)
-    printed = run(
-        "mono", "run.exe", cwd=out, env={"LD_LIBRARY_PATH": str(out), "PATH": "/usr/bin:/bin", "HOME": str(out)}
-    )
+    printed = run("mono", "run.exe", cwd=out, env={**os.environ, "LD_LIBRARY_PATH": str(out)})
     assert [int(line) for line in printed.split()] == pixels_after(FRAMES * ITERATIONS).tolist()
 
 

@@ -2,15 +2,14 @@
 #ifndef GODOT
 #define GODOT
 #include <cstdint>
+#include <cstdio>
 #include <cstring>
-#include <iostream>
-#include <memory>
 #include <vector>
 
 #define GDCLASS(own, base)
 
 namespace godot {
-template <class T> using Ref = std::shared_ptr<T>;
+template <class T> using Ref = T *; // leaks
 
 class PackedByteArray {
     std::vector<uint8_t> bytes;
@@ -25,7 +24,7 @@ struct Image {
     enum Format { FORMAT_RGBA8 };
     uint32_t first;
     static Ref<Image> create_from_data(int, int, bool, Format, const PackedByteArray &data) {
-        auto image = std::make_shared<Image>();
+        Ref<Image> image = new Image();
         std::memcpy(&image->first, data.ptr(), 4);
         return image;
     }
@@ -34,7 +33,7 @@ struct Image {
 struct ImageTexture {
     Ref<Image> image;
     static Ref<ImageTexture> create_from_image(const Ref<Image> &image) {
-        auto texture = std::make_shared<ImageTexture>();
+        Ref<ImageTexture> texture = new ImageTexture();
         texture->image = image;
         return texture;
     }

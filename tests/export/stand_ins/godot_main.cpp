@@ -8,5 +8,5 @@ int main() {
     Opened::bind();
     node._ready();
     for (int frame = 0; frame < 20; frame++) node._process(1.0 / 60);
-    std::cout << std::hex << node.texture->image->first << " " << node.paint(-100, 0, 3, 1) << "\n";
+    std::printf("%x %d\n", unsigned(node.texture->image->first), node.paint(-100, 0, 3, 1));
 }

@@ -2,7 +2,7 @@
 #ifndef UNREAL
 #define UNREAL
 #include <cstdint>
-#include <iostream>
+#include <cstdio>
 #include <vector>
 
 #define UCLASS(...)
