@@ -61,7 +61,7 @@ static void call(sandglass *world, uint32_t width, uint32_t height)
 int main(void)
 {
     int number, i;
-    for (number = 0; number < 60; number++) {
+    for (number = 0; number < 30; number++) {
         uint32_t width = number % 5 ? 1 + any(300) : 1 + any(4), height = number % 7 ? 1 + any(90) : 1 + any(4), count = 0;
         void *memory = malloc(sandglass_bytes((int)width, (int)height));
         sandglass *world = sandglass_init(memory, (int)width, (int)height, state);
