@@ -60,7 +60,9 @@ def _p(outcome, values):
 
 
 def check(definition):
-    """Raise RuleError where a rule has outcomes with more than certainty between them, or breaks its own books."""
+    """Raise RuleError where nothing can happen, outcomes have more than certainty between them, or books are broken."""
+    if not any(definition.table.layers):
+        raise RuleError(definition.events[0].line, 0, "event", "none that can happen", "one that matches a block")
     values = definition.usual_values
     check_sums(definition, values)
     changes = Changes(definition, values)

@@ -136,6 +136,14 @@ def test_what_is_no_rule_is_told(text, said, tmp_path):
     assert said in str(error.value) and len(str(error.value).splitlines()) == 1
 
 
+def test_a_rule_in_which_nothing_can_happen_is_told(tmp_path):
+    text = TEXT[: TEXT.index("[any]")] + '[any]\nG = "gas"\n[[event]]\nname = "fade"\npicture = "G -> ."\n'
+    path = tmp_path / "still.toml"
+    path.write_text(text.replace(", flow = 0.5", "").replace(', flow = "slow"', ""), encoding="utf-8")
+    with pytest.raises(RuleError, match=r"still.toml:\d+: event: found none that can happen, wanted one that matches"):
+        load_rule(path)
+
+
 def test_too_many_events_are_told(tmp_path):
     many = "".join(f'[[event]]\nname = "{n}"\npicture = "l -> l"\n' for n in range(97))
     with pytest.raises(RuleError, match="event: found 100 of them, wanted at most 96"):
