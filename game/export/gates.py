@@ -39,7 +39,7 @@ class GateText:
     def literal(self, literal):
         """Return the C expression of a literal that has been worked out."""
         if literal in (FALSE, TRUE):
-            return "(a0 & ~a0)" if literal == FALSE else "(a0 | ~a0)"
+            return "(open & ~open)" if literal == FALSE else "(open | ~open)"
         name, inverted = self._held(literal)
         return f"~{name}" if inverted else name
 

@@ -17,10 +17,11 @@ static int sg_layer_{number}(const sandglass *world, uint64_t *const *from, uint
 {{
     uint64_t
 {streams};
-    {digits}uint32_t i;
+    uint32_t i;
     int told = 0;
-    sg_word origin = sg_lanes(place, SG_STEP);
-    for (i = 0; i < size; i += SG_LANES, origin += SG_LANES * SG_STEP) {{
+    {digits}
+    {origin}
+    for (i = 0; i < size; i += SG_LANES{next}) {{
 {loads}
         const sg_word open = SG_LOAD(blocks + i);
 {body}    }}
@@ -56,17 +57,42 @@ class _LayerText:
         self.gates = GateText(plan)
 
     def text(self, name, first_group):
-        streams = [f"{letter}{bit}" for letter in CORNERS for bit in range(self.plan.bits)]
-        places = [f"*const at_{each} = from[{n}]" for n, each in enumerate(streams)]
-        digits = f"const uint64_t *const digits = world->digits + {first_group} * SG_DIGITS;\n    "
+        streams = self._streams()
+        places = [f"*const at_{each} = from[{n}]" for each, n in streams.items()]
+        digits = f"const uint64_t *const digits = world->digits + {first_group} * SG_DIGITS;"
+        origin = "sg_word origin = sg_lanes(place, SG_STEP); /* where the draws of these words start */"
+        random = bool(self.layer.groups) or self._asks_fair_bit()
         return LAYER.format(
             number=self.number,
             name=name,
             streams=listed(places, 8),
-            digits=digits if self.layer.groups else "(void)world;\n    ",
+            digits=digits if self.layer.groups else "(void)world;",
+            origin=origin if random else "(void)place;",
+            next=", origin += SG_LANES * SG_STEP" if random else "",
             loads="\n".join(declared([f"{each} = SG_LOAD(at_{each} + i)" for each in streams], " " * 8)),
             body="".join(f"{line}\n" for line in self._body()),
         )
+
+    def _streams(self):
+        """Return {name: number} of the bits of corners that the layer reads or changes."""
+        found, bits = {}, self.plan.bits
+        changed = {key for level in self.layer.deltas for key in level}
+        for corner, letter in enumerate(CORNERS):
+            for bit in range(bits):
+                number = corner * bits + bit
+                if (corner, bit) in changed or self.plan.circuit.uses(self._literals(), number):
+                    found[f"{letter}{bit}"] = number
+        return found
+
+    def _literals(self):
+        """Return all literals that the layer works out."""
+        layer, watch = self.layer, [self.plan.watch] if self.plan.watch is not None else []
+        changes = [literal for level in layer.deltas for literal in level.values()]
+        return [*watch, layer.event, *layer.sure, *(group.blocks for group in layer.groups), *changes]
+
+    def _asks_fair_bit(self):
+        """Return whether a fair bit decides between a picture and its mirror image."""
+        return self.plan.fair is not None and self.plan.circuit.uses(self._literals(), self.plan.fair)
 
     def _body(self):
         indent, layer = " " * 8, self.layer
@@ -87,9 +113,8 @@ class _LayerText:
         """Return the lines that say in which blocks an outcome happens."""
         layer, groups = self.layer, self.layer.groups
         wanted = [*layer.sure, *(group.blocks for group in groups)]
-        changes = [literal for level in layer.deltas for literal in level.values()]
         lines = []
-        if self.plan.fair is not None and self.plan.circuit.uses([*wanted, *changes], self.plan.fair):
+        if self._asks_fair_bit():
             lines += [f"{indent}const sg_word fair = sg_mix(origin + SG_FAIR_STEP);"]
         lines += self.gates.declarations(wanted, indent)
         lines += declared([f"group{at} = {self.gates.literal(each.blocks)}" for at, each in enumerate(groups)], indent)

@@ -7,6 +7,7 @@ from game import World, advance, load_rule, rule_names
 from game.core.paint.ink import Ink
 from game.core.paint.strokes import ROUND
 from game.export.files import files
+from game.export.rule_parts import rule_parts
 from game.export.start_scene import small_start
 from game.world.sand.schedules import SCHEDULES
 from tests.export.library import LARGE, builds, compiled, library
@@ -33,6 +34,40 @@ picture = "#. -> #m"
 name = "moss dies or spreads"
 chance = [0.125, 0.0625]
 picture = "m. -> .. | mm"
+"""
+
+
+# Nothing is left to chance, and two of the layers have no event that can happen.
+STONES = """
+title = "Stones"
+layers = ["empty", "motion", "idle"]
+
+[materials]
+air = { letter = ".", class = "empty", colour = "#000000" }
+stone = { letter = "s", class = "powder", density = 9, colour = "#999999" }
+wall = { letter = "#", class = "solid", colour = "#888888" }
+
+[any]
+G = "gas"
+
+[[event]]
+name = "no gas"
+layer = "empty"
+picture = "G -> ."
+
+[[event]]
+name = "no gas at all"
+layer = "idle"
+picture = "G. -> .G"
+
+[[event]]
+name = "fall"
+layer = "motion"
+ways = "as drawn"
+picture = '''
+s    .
+. -> s
+'''
 """
 
 
@@ -122,10 +157,20 @@ def test_the_ends_of_a_chance_have_the_same_bits_in_c(p):
     assert copy.name() == world.digest()
 
 
-def test_a_rule_of_events_at_the_border_has_the_same_bits_in_c(tmp_path):
-    path = tmp_path / "moss.toml"
-    path.write_text(MOSS, encoding="utf-8")
+def rule_of(text, folder):
+    """Return a rule and its Library."""
+    path = folder / "own.toml"
+    path.write_text(text, encoding="utf-8")
     rule = load_rule(path)
-    header = files(small_start(rule))["sandglass.h"]
-    assert "SG_ABOVE = 1" in header and "SG_BELOW = 1" in header
-    check(rule, [compiled(header, builds()[0], tmp_path)], worlds=12)
+    return rule, compiled(files(small_start(rule))["sandglass.h"], builds()[0], folder)
+
+
+def test_a_rule_of_events_at_the_border_has_the_same_bits_in_c(tmp_path):
+    rule, calls = rule_of(MOSS, tmp_path)
+    assert all(rule_parts(rule)[edge] for edge in ("above", "below"))
+    check(rule, [calls], worlds=12)
+
+
+def test_a_rule_without_chance_has_the_same_bits_in_c(tmp_path):
+    rule, calls = rule_of(STONES, tmp_path)
+    check(rule, [calls], worlds=12)
