@@ -8,50 +8,88 @@ from game.core.packing import BITS
 TILE = 8  # cells: the side of a tile
 FULL = TILE * TILE  # cells in a tile
 LEVELS = 256  # of light
+DIGITS = 5  # of the number of bits in two columns of a tile
 
 _ONE, _ZERO = np.uint64(1), np.uint64(0)
+_MIDDLE, _SIDE = np.float32(0.5), np.float32(TILE)
 _BYTE = np.uint32(255)
 _CHANNELS = np.uint32(0), np.uint32(8), np.uint32(16), np.uint32(24)  # where the bytes of a pixel are
 
 
 @kernel
-def count_glowing(four, rows, words, tiles):
-    """Add the cells whose bits are set in four planes of `rows` plane rows to `tiles`, (h, w) int32, in place."""
-    stride = words + 1
-    for plane in range(4):
-        odd_row, odd_column = plane >> 1, plane & 1
-        for row in range(rows):
-            tile_row = (2 * row + odd_row) // TILE
-            for word in range(words):
-                left = four[plane, row * stride + word]
-                lane = 0
-                while left != _ZERO:
-                    while left & _ONE == _ZERO:
-                        left >>= _ONE
-                        lane += 1
-                    tiles[tile_row, (2 * (lane * words + word) + odd_column) // TILE] += 1
-                    left &= ~_ONE
+def count_glowing(four, rows, words, counts):
+    """Write how many of the bits are set in four planes of `rows` plane rows to `counts`, (h, w) int32, by tile.
+
+    w: the tiles that the words of a row reach over.
+    """
+    stride, digits = words + 1, np.empty(DIGITS, np.uint64)
+    counts[:] = 0
+    for first in range(0, rows, TILE // 2):
+        tile_row = counts[first // (TILE // 2)]
+        for word in range(words):
+            digits[:] = _ZERO  # of the number of bits set in every two columns, as binary digits of 64 numbers at once
+            some = _ZERO
+            for row in range(first, min(first + TILE // 2, rows)):
+                for plane in range(4):
+                    carry = four[plane, row * stride + word]
+                    some |= carry
+                    for digit in range(DIGITS):
+                        digits[digit], carry = digits[digit] ^ carry, digits[digit] & carry
+            if some == _ZERO:
+                continue
+            for lane in range(BITS):
+                number = _ZERO
+                for digit in range(DIGITS):
+                    number |= ((digits[digit] >> np.uint64(lane)) & _ONE) << np.uint64(digit)
+                tile_row[2 * (lane * words + word) // TILE] += np.int32(number)
 
 
 @kernel
-def light_between(tiles, first, levels):
-    """Write the light of lattice rows from `first` to `levels`, (rows, width) uint8.
+def spread_light(counts, reach, gain, across, tiles):
+    """Write the light of tiles to `tiles`, (h, w) float32, whole numbers up to LEVELS - 1.
 
-    tiles: (h, w) float32, 0 … 255, the light in the middle of each tile; between them it is interpolated both ways.
+    counts: int32, (h, w) or more. Light goes to tiles nearer than `reach`, evenly less in both directions. gain: the
+    light of a tile amid nothing but what glows, before it is cut off. across: (h, w) float32, room.
     """
     height, width = tiles.shape
-    line = np.empty(width, np.float32)
-    for i in range(levels.shape[0]):
-        place = (np.float32(first + i) + np.float32(0.5)) / np.float32(TILE) - np.float32(0.5)
-        above = min(max(np.int64(np.floor(place)), 0), height - 1)
-        below, part = min(above + 1, height - 1), min(max(place - np.float32(above), np.float32(0)), np.float32(1))
+    for row in range(height):
         for column in range(width):
-            line[column] = tiles[above, column] + part * (tiles[below, column] - tiles[above, column])
-        for x in range(levels.shape[1]):
-            at = (np.float32(x) + np.float32(0.5)) / np.float32(TILE) - np.float32(0.5)
-            left = min(max(np.int64(np.floor(at)), 0), width - 1)
-            right, share = min(left + 1, width - 1), min(max(at - np.float32(left), np.float32(0)), np.float32(1))
-            levels[i, x] = np.uint8(line[left] + share * (line[right] - line[left]))
+            total = 0
+            for other in range(max(column - reach + 1, 0), min(column + reach, width)):
+                total += (reach - abs(column - other)) * counts[row, other]
+            across[row, column] = np.float32(total)
+    scale = np.float32(gain / (FULL * reach**4))
+    for row in range(height):
+        for column in range(width):
+            tiles[row, column] = np.float32(0)
+        for other in range(max(row - reach + 1, 0), min(row + reach, height)):
+            weight = np.float32(reach - abs(row - other)) * scale
+            for column in range(width):
+                tiles[row, column] += weight * across[other, column]
+        for column in range(width):
+            tiles[row, column] = np.floor(min(tiles[row, column], np.float32(LEVELS - 1)))
+
+
+@gate
+def _light_of_row(tiles, y, first, last, line, levels):
+    """Write the light of lattice row y in the columns of the tiles from `first` to before `last` to `levels`.
+
+    tiles: (h, w) float32, 0 … 255, the light in the middle of each tile; between them it goes over evenly, both ways.
+    """
+    height, width = tiles.shape
+    place = (np.float32(y) + _MIDDLE) / _SIDE - _MIDDLE
+    above = min(max(np.int64(np.floor(place)), 0), height - 1)
+    below, part = min(above + 1, height - 1), max(place - np.float32(above), np.float32(0))
+    low, high = max(first - 1, 0), min(last + 1, width)
+    for column in range(low, high):
+        line[column] = tiles[above, column] + part * (tiles[below, column] - tiles[above, column])
+    for column in range(first, last):
+        here = line[column]
+        left, right = line[max(column - 1, 0)], line[min(column + 1, width - 1)]
+        for k in range(TILE // 2):
+            share = (np.float32(k) + _MIDDLE) / _SIDE
+            levels[column * TILE + k] = np.uint8(left + (share + _MIDDLE) * (here - left))
+            levels[column * TILE + TILE // 2 + k] = np.uint8(here + share * (right - here))
 
 
 @gate
@@ -65,16 +103,24 @@ def _lit(pixel, light):
 
 
 @kernel
-def lay_light(levels, lights, columns, rows, pixels, top, left):
+def lay_light(tiles, lights, lit, columns, rows, pixels, top, left):
     """Light pixel rows from `top` and columns from `left` of `pixels`, an (h, w) uint32 array, in place.
 
-    levels: (H, W) uint8. columns, rows: int32, the column and row in `levels` for each pixel column and row. lights:
-    (LEVELS,) uint32, the pixel value that each level adds to black.
+    tiles: see `_light_of_row`. lights: (LEVELS,) uint32, the pixel value that each level adds to black. lit: (h, 4)
+    int64, for each row of tiles the first and the last + 1 of its tiles with light, and of the pixel columns of those.
+    columns, rows: int32, the lattice column and row of each pixel column and row.
     """
+    line, levels = np.empty(tiles.shape[1], np.float32), np.empty(tiles.shape[1] * TILE, np.uint8)
+    shown = np.empty(len(columns), np.uint32)
     for i in range(len(rows)):
-        line, row = pixels[top + i], levels[rows[i]]
-        for j in range(len(columns)):
-            line[left + j] = _lit(line[left + j], lights[row[columns[j]]])
+        first, last, start, end = lit[rows[i] // TILE]
+        if i == 0 or rows[i] != rows[i - 1]:
+            _light_of_row(tiles, rows[i], first, last, line, levels)
+            for j in range(start, end):
+                shown[j] = lights[levels[columns[j]]]
+        pixel_row = pixels[top + i]
+        for j in range(start, end):
+            pixel_row[left + j] = _lit(pixel_row[left + j], shown[j])
 
 
 def tiles_of(height, width):

@@ -4,7 +4,6 @@ import numpy as np
 
 from game.core import jit, planes
 from game.core.draw.cells import draw_turned
-from game.core.draw.firelight import LEVELS, lay_light, light_between
 from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
 from game.world.background.forecast_thread import ForecastRequest, forecast_of
 from game.world.looks.heatmap_colours import cover
@@ -110,14 +109,6 @@ def _draw(rule, walls, cell):
     side = max(1, 8 * min(cell, 1))  # more pixels than cells are drawn as one pixel for each is
     painter = Painter(View(world.shape, 0, 0, side, side), walls=walls, substances=substances)
     painter.draw(world, np.zeros((8, 8), np.uint32), streams=streams)
-    if any(each.glows for each in substances.all):
-        _glow()
-
-
-def _glow():
-    levels, place = np.zeros((1, 1), np.uint8), np.zeros(1, np.int32)
-    light_between(np.zeros((1, 1), np.float32), 0, levels)
-    lay_light(levels, np.zeros(LEVELS, np.uint32), place, place, np.zeros((1, 1), np.uint32), 0, 0)
 
 
 def _turn():

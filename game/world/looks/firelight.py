@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from game.core.draw.firelight import FULL, LEVELS, TILE, count_glowing, lay_light, light_between, padded, tiles_of
+from game.core.draw.firelight import LEVELS, TILE, count_glowing, lay_light, padded, spread_light, tiles_of
 from game.core.planes import planes_where
 
 REACH = 5  # tiles from one that glows to the first that it does not light
@@ -20,19 +20,23 @@ class Firelight:
         self._lights = _lights(strength * np.mean([each.colour for each in glowing], axis=0), map_rgb)
         height, width = tiles_of(*view.shape)
         self._tiles = np.zeros((height, width), np.float32)  # whole numbers, 0 … BRIGHTEST
-        self._down, self._across = _weights(height), _weights(width)
+        self._counts = np.empty((height, padded(view.shape[1])), np.int32)
+        self._across = np.empty_like(self._tiles)
         self.look_through(view)
 
     def look_through(self, view):
         """Light another view of the same lattice."""
         self._view, self._rows, self._columns = view, view.rows, view.columns
+        self._lit = self._where_lit()
 
     def follow(self, world):
         """Take the light that a world has now; return the lattice rows, (first, last + 1), whose light changed."""
-        tiles = self._down @ self._glowing(world) @ self._across
-        tiles = np.floor(np.minimum(tiles * np.float32(GAIN * BRIGHTEST), np.float32(BRIGHTEST)))
+        tiles, four = np.empty_like(self._tiles), planes_where(world.planes, world.layout, self._codes)
+        count_glowing(four, world.layout.rows, world.layout.words, self._counts)
+        spread_light(self._counts, REACH, GAIN * BRIGHTEST, self._across, tiles)
         changed = np.flatnonzero((tiles != self._tiles).any(axis=1))
         self._tiles = tiles
+        self._lit = self._where_lit()
         if not len(changed):
             return None
         return (int(changed[0]) - 1) * TILE, (int(changed[-1]) + 2) * TILE
@@ -41,30 +45,23 @@ class Firelight:
         """Lay the light over the rows from `top` to before `bottom` of `pixels`, an (h, w) uint32 array, in place."""
         left, first, _, _ = self._view.seen
         rows = self._rows[top - first : bottom - first]
-        lit = np.flatnonzero(self._tiles[max(rows[0] // TILE - 1, 0) : rows[-1] // TILE + 2].any(axis=0))
-        if not len(lit):
-            return
-        start, end = np.searchsorted(self._columns, ((lit[0] - 1) * TILE, (lit[-1] + 2) * TILE))
-        if start == end:
-            return
-        levels = np.empty((rows[-1] - rows[0] + 1, self._view.shape[1]), np.uint8)
-        light_between(self._tiles, int(rows[0]), levels)
-        columns = self._columns[start:end]
-        lay_light(levels, self._lights, columns, rows - rows[0], pixels, top, left + start)
+        lay_light(self._tiles, self._lights, self._lit, self._columns, rows, pixels, top, left)
 
-    def _glowing(self, world):
-        """Return how much of each tile glows: (h, w) float32, 0 … 1."""
-        four, where = planes_where(world.planes, world.layout, self._codes), world.layout
-        height, width = tiles_of(where.height, where.width)
-        counts = np.zeros((height + 1, padded(where.width)), np.int32)
-        count_glowing(four, where.rows, where.words, counts)
-        return counts[:height, :width] / np.float32(FULL)
+    def _where_lit(self):
+        """Return the first and the last + 1 tile with light in each row of tiles, and of their pixel columns."""
+        near = self._tiles > 0
+        for axis in (0, 1):  # light goes half a tile further
+            near = near | _shifted(near, 1, axis) | _shifted(near, -1, axis)
+        first = np.where(near.any(axis=1), near.argmax(axis=1), 0)
+        last = np.where(near.any(axis=1), near.shape[1] - near[:, ::-1].argmax(axis=1), 0)
+        return np.stack([first, last, *np.searchsorted(self._columns, np.stack([first, last]) * TILE)], axis=1)
 
 
-def _weights(number):
-    """Return how much light each of a row of tiles has from each: (number, number) float32."""
-    away = np.abs(np.subtract.outer(np.arange(number), np.arange(number)))
-    return (np.maximum(REACH - away, 0) / REACH**2).astype(np.float32)
+def _shifted(flags, by, axis):
+    """Return flags moved by one along an axis, False where nothing comes."""
+    moved = np.roll(flags, by, axis)
+    np.moveaxis(moved, axis, 0)[0 if by > 0 else -1] = False
+    return moved
 
 
 def _lights(brightest, map_rgb):

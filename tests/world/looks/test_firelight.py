@@ -82,13 +82,13 @@ def test_tiles_hold_what_glows_in_them(shape):
     cells = np.where(np.random.default_rng(3).random(shape) < 0.3, FIRE, SAND).astype(np.uint8)
     world = World.from_materials(cells, RULE)
     height, width = tiles_of(*shape)
-    counts = np.zeros((height + 1, padded(shape[1])), np.int32)
+    counts = np.full((height, padded(shape[1])), 7, np.int32)
     four = planes_where(world.planes, world.layout, {FIRE})
     count_glowing(four, world.layout.rows, world.layout.words, counts)
     wide = np.zeros((height * TILE, width * TILE), int)
     wide[: shape[0], : shape[1]] = cells == FIRE
     wanted = wide.reshape(height, TILE, width, TILE).sum(axis=(1, 3))
-    assert (counts[:height, :width] == wanted).all() and wanted.max() <= FULL
+    assert (counts[:, :width] == wanted).all() and wanted.max() <= FULL
 
 
 @pytest.mark.parametrize("cell", [0.3, 0.7, 1, 3])
