@@ -20,6 +20,11 @@ LATTICES = {
         "block": (".oo..", ".oo..", ".oo..", "....."),
         "neck": ("oo#oo", "#o.o#", "##.##", "....."),
     },
+    "two-sands": {
+        "towers": (".s.o.", ".s.o.", ".s.o.", "....."),
+        "pairs": ("ss.oo", "os.oo", ".....", "#...."),
+        "grains on sand": ("oo..", "ss..", "so..", "...."),
+    },
     "alchemy": {
         "fire in plants": ("fp.", "pep", "..."),
         "fire put out": ("fw", "bf", "if", ".o"),

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass
 from functools import cache
-from itertools import product
+from itertools import cycle, product
 from typing import NamedTuple
 
 import numpy as np
@@ -77,11 +77,11 @@ class RuleTrialResult(NamedTuple):
 def trials(everything):
     """Return the list of RuleTrials: every combination, or each lattice once, schedules and chances in turns."""
     lattices = [(rule, lattice) for rule, drawn in LATTICES.items() for lattice in drawn]
-    settings = list(product(SCHEDULES, CHANCES))
     if everything:
-        names = [(*lattice, *setting) for lattice in lattices for setting in settings]
+        names = [(*lattice, *setting) for lattice in lattices for setting in product(SCHEDULES, CHANCES)]
     else:
-        names = [(*lattice, *settings[number % len(settings)]) for number, lattice in enumerate(lattices)]
+        turns = zip(lattices, cycle(SCHEDULES), cycle(CHANCES), strict=False)
+        names = [(*lattice, *setting) for lattice, *setting in turns]
     return [RuleTrial(*each, number) for number, each in enumerate(names)]
 
 

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from game import rule_names
 from game.study.exact import rule_trials
 from game.study.exact.picture_chain import PictureChain
 from game.study.exact.picture_rule import PictureRule
@@ -67,6 +68,7 @@ def test_every_rule_lattice_schedule_and_choice_of_chances_is_tried(everything):
     assert {(each.rule, each.lattice) for each in planned} == {
         (rule, name) for rule in LATTICES for name in LATTICES[rule]
     }
+    assert set(LATTICES) == set(rule_names()) - {"sand"}, "which has lattices of its own"
     for rule in LATTICES:
         here = [each for each in planned if each.rule == rule]
         assert {each.schedule for each in here} == set(rule_trials.SCHEDULES)
