@@ -45,7 +45,16 @@ figures = st.sampled_from(("rectangle", "ellipse"))
 turns = st.one_of(st.just(Flip()), st.builds(Turn, st.integers(1, 3)))
 rules = st.builds(Rule, *[chances] * 7, st.sampled_from(sorted(SCHEDULES)))
 sides = st.integers(12, 40)
-glasses = st.builds(Glass, sides, sides, st.integers(0, 3), st.integers(0, 3), st.floats(1, 9), fill=st.floats(0, 1))
+glasses = st.builds(
+    Glass,
+    sides,
+    sides,
+    st.integers(0, 3),
+    st.integers(0, 3),
+    st.floats(1, 9),
+    fill=st.floats(0, 1),
+    material=st.sampled_from(("", "water", "lava")),
+)
 reshapes = st.builds(Reshape, glasses, st.booleans())
 
 

@@ -16,6 +16,7 @@ SLIDERS = (
     (THICKNESS, "Wall", True),
     (FILL, "Fill", False),
 )
+POURED = "powder", "liquid"  # what a glass can be filled with
 UNKNOWN = "…"
 
 
@@ -42,7 +43,7 @@ class GlassSection:
         changed = self._slid(ui, glass)
         held = ui.focus.held is not None
         if changed != glass:
-            self._put(changed, changed.fill != glass.fill, join=self._turning)
+            self._put(changed, _poured(changed) != _poured(glass), join=self._turning)
         self._turning = held and (self._turning or changed != glass)
         if ui.button("Refill", tip="Removes all sand and fills the upper bulb"):
             self._put(glass, refill=True)
@@ -59,7 +60,17 @@ class GlassSection:
             turned = ui.slider(label, each, value, log=log)
             if turned != value:
                 glass = replace(glass, **{each.name: turned})
-        return glass
+        return self._filled(ui, glass)
+
+    def _filled(self, ui, glass):
+        """Return the glass with what the player chooses to fill it with, where there is more than sand."""
+        rule = self._sessions.now.rule
+        names = [each.name for each in rule.definition.materials if each.kind in POURED and each.form_of is None]
+        if rule.codes.is_sand or not names:
+            return glass
+        now = next((name for name in (glass.material, rule.codes.usual) if name in names), names[0])
+        chosen = names[ui.choice("Filled with", [name.capitalize() for name in names], names.index(now))]
+        return glass if chosen == now else replace(glass, material=chosen)
 
     def _put(self, glass, refill=False, join=False):
         height, width = self._sessions.now.world.shape
@@ -80,6 +91,10 @@ class GlassSection:
         sessions.do(Reshape(glass, self._refills), join)
         if words:
             self._notices.say(words)
+
+
+def _poured(glass):
+    return glass.fill, glass.material
 
 
 def _glass_on(shape):

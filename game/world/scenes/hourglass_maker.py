@@ -27,16 +27,18 @@ SLOWEST = 30  # iterations per second; sand that moves more slowly stutters
 
 
 def scene_of(glass, rule=RULE, speed=parameters.SPEED.default):
-    """Return the Scene of a Glass, filled with sand or, if the rule has none, with its first material."""
+    """Return the Scene of a Glass, filled."""
     cell = round(min(max(WINDOW / glass.height, parameters.CELL.low), parameters.CELL.high))
     cells = cells_of(glass, rule.codes)
     return Scene("glass", "Your glass", "", cells, rule, speed, cell, glass.height // 2, "glass", glass=glass)
 
 
 def cells_of(glass, codes):
-    """Return the codes of a full Glass, (H, W) uint8, in a world of MaterialCodes: of sand, or of what comes first."""
-    sand, walls = glass.cells()
-    return np.where(sand, np.uint8(codes.code(codes.usual)), walls * np.uint8(codes.wall))
+    """Return the codes of a full Glass, (H, W) uint8, in a world of MaterialCodes."""
+    filled, walls = glass.cells()
+    code = codes.code(glass.material)
+    code = code if code in codes.filled else codes.code(codes.usual)
+    return np.where(filled, np.uint8(code), walls * np.uint8(codes.wall))
 
 
 def glass_within(width, height):

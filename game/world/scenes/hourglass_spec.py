@@ -27,6 +27,7 @@ class Glass:
     curve: float = CURVE.default
     wall: float = THICKNESS.default
     fill: float = FILL.default
+    material: str = ""  # what it is filled with, if the world has that; else sand, or what its materials begin with
 
     def __post_init__(self):
         for each in KNOBS:
@@ -44,8 +45,8 @@ class Glass:
         return _inside(self)
 
     def as_dict(self):
-        """The fields by name."""
-        return asdict(self)
+        """The fields by name, without a material that is left to the world."""
+        return {name: value for name, value in asdict(self).items() if value != ""}
 
 
 def _margin(name):
@@ -72,7 +73,7 @@ def read(table):
     table.allow([field.name for field in fields(Glass)])
     numbers = {each.name: table.number(each.name, each) for each in KNOBS}
     try:
-        return Glass(**numbers)
+        return Glass(**numbers, material=table.line("material", ""))
     except ValueError as error:
         raise table.error("width", f"{numbers['width']}×{numbers['height']}", str(error)) from None
 

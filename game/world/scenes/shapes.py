@@ -96,16 +96,21 @@ def neck_of(shapes, scale):
 
 
 def glass_of(shapes, scale):
-    """Return the Glass on a lattice that is all there is, in the middle of it and with amber sand; None for others."""
-    if len(shapes) != 1 or not isinstance(shapes[0], HourglassShape) or shapes[0].number != SAND:
+    """Return the Glass on a lattice that is all there is and in the middle of it; None for others.
+
+    If its sand has a colour it is none.
+    """
+    if len(shapes) != 1 or not isinstance(shapes[0], HourglassShape):
         return None
-    if not scale.palette.codes.is_sand:
+    codes, number = scale.palette.codes, shapes[0].number
+    if codes.is_sand and number != SAND:
         return None
+    material = "" if codes.is_sand else codes.names[number]
     left, top, right, bottom = shapes[0].box_on(scale)
     if (right, bottom) != (scale.width - left, scale.height - top):
         return None
     try:
-        return Glass(scale.width, scale.height, left, top, *shapes[0].numbers_on(scale))
+        return Glass(scale.width, scale.height, left, top, *shapes[0].numbers_on(scale), material)
     except ValueError:  # no slider makes a neck as wide, or a wall as thick, as it is on this lattice
         return None
 

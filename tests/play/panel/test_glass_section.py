@@ -109,6 +109,27 @@ def test_a_glass_that_was_made_is_saved_like_any_scene(maker):
     assert (maker.world.sand == sand).all() and (maker.world.walls == walls).all()
 
 
+def test_a_glass_is_filled_with_any_powder_or_liquid_of_its_rule():
+    player = Player("water-clock", size=(900, 1400))
+    player.unfold("Glass")
+    player.hold_time()
+    player.wait(1)
+    assert "Filled with" in player.parts.panel.ui.rects and player.session.scene.glass.material == "water"
+    player.click(player.control("Filled with"))
+    player.click(player.parts_of("Filled with")[-1].center)
+    player.settle()
+    assert player.session.scene.glass.material == "oil"
+    room = player.session.scene.glass.cells()[0].sum()
+    assert player.world.amounts == (0, 0, 0, 0, room) and player.session.account.balanced(player.world)
+    player.key(pygame.K_z, mod=pygame.KMOD_CTRL)
+    assert player.world.amounts[4] == 0 and player.world.amounts[3] == room
+    pygame.display.quit()
+
+
+def test_sand_alone_leaves_no_choice_of_what_fills_a_glass(maker):
+    assert "Filled with" not in maker.parts.panel.ui.rects
+
+
 def test_a_slider_stays_under_the_pointer_when_lines_above_it_go():
     player = Player("hourglass", size=(900, 560))  # low: the fold is scrolled to
     player.unfold("Glass")

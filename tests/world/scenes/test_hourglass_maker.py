@@ -6,9 +6,10 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from game import load_scene
+from game import load_rule, load_scene
+from game.world.files.checked_table import CheckedTable
 from game.world.scenes.hourglass_maker import SLOWEST, glass_for, glass_within, good_pace, resized, scene_of
-from game.world.scenes.hourglass_spec import Glass
+from game.world.scenes.hourglass_spec import Glass, read
 from game.world.sessions.action import Paint, Reshape
 from game.world.sessions.recording import load_replay
 from game.world.sessions.run_out import find_run_out
@@ -42,6 +43,25 @@ def test_a_scene_of_one_glass_is_the_glass_that_the_maker_would_make(name):
         scene = load_scene(name, size)
         sand, walls = scene.glass.cells()
         assert (sand == scene.sand).all() and (walls == scene.walls).all()
+
+
+def test_a_glass_is_filled_with_its_material_or_with_what_the_world_has():
+    rule, glass = load_rule("water-and-oil"), glass_for(10)
+    for material, filled in (("oil", "oil"), ("", "sand"), ("lava", "sand"), ("wall", "sand"), ("air", "sand")):
+        world = scene_of(replace(glass, material=material), rule).world()
+        assert (world.where(filled) == glass.cells()[0]).all() and (world.walls == glass.cells()[1]).all()
+
+
+def test_a_glass_is_read_as_it_was_written():
+    for glass in (glass_for(10), replace(glass_for(20), material="oil")):
+        assert read(CheckedTable("a file", glass.as_dict())) == glass
+    assert "material" not in glass_for(10).as_dict()  # older versions can read that
+
+
+def test_a_scene_of_one_glass_of_water_is_a_glass_of_water():
+    scene = load_scene("water-clock")
+    assert scene.glass.material == "water"
+    assert (scene_of(scene.glass, scene.rule).world().materials == scene.world().materials).all()
 
 
 @pytest.mark.parametrize("name", ["funnel", "fullhd", "clocks", "blank"])
