@@ -30,13 +30,17 @@ class Legend:
         self._about, self._written_s = (answer, stale), now_s
 
     def drawing(self, theme, rect):
-        """Return the strokes of the card in `rect`, with as many of the lines as there is room for."""
+        """Return the strokes of the card in `rect`, as high as its lines, of which there are those with room."""
         px, line, (_, stale) = theme.px, theme.line_height(look.SMALL), self._about
         card = rect.inflate(-2 * px(AWAY), -2 * px(AWAY))
-        row = card.inflate(-2 * px(PAD), -2 * px(PAD))
         title, *lines = self.lines
-        bottom, row.height = row.bottom, px(TITLE)
-        strokes = [*box_strokes(theme, card), (draw_list.words, tuple(row), title, look.HEADING, look.HANDLE, 0)]
+        head = 2 * px(PAD) + px(TITLE) + px(BAR) + line + px(GAP)
+        lines = lines[: max(0, (card.height - head) // line)]
+        card.height = min(card.height, head + len(lines) * line)
+        row = card.inflate(-2 * px(PAD), -2 * px(PAD))
+        row.height = px(TITLE)
+        strokes = box_strokes(theme, card, rect)
+        strokes.append((draw_list.words, tuple(row), title, look.HEADING, look.HANDLE, 0))
         if stale:
             strokes.append((draw_list.words, tuple(row), "stale", look.BODY, look.BRIGHT_ACCENT, 1))
         row.y, row.height = row.bottom, px(BAR)
@@ -45,7 +49,7 @@ class Legend:
         for share, align in (("never", 0), ("50 %", 0.5), ("always", 1)):
             strokes.append((draw_list.words, tuple(row), share, look.SMALL, look.FAINT, align))
         row.y += line + px(GAP)
-        for text in lines[: max(0, (bottom - row.y) // line)]:
+        for text in lines:
             strokes.append((draw_list.words, tuple(row), text, look.SMALL, look.DIM, 0))
             row.y += line
         return strokes

@@ -38,10 +38,10 @@ class Card:
         return covered
 
 
-def box_strokes(theme, rect):
-    """Return the strokes of an empty card that fills `rect`."""
+def box_strokes(theme, rect, room):
+    """Return the strokes of an empty card, and of nothing in the rest of its `room`."""
     return [
-        (draw_list.fill, tuple(rect), theme.colours.ground),
+        (draw_list.fill, tuple(room), theme.colours.ground),
         (draw_list.box, tuple(rect), look.EDGE, theme.px(RADIUS)),
         (draw_list.box, tuple(rect.inflate(-2, -2)), look.GROUND, theme.px(RADIUS)),
     ]

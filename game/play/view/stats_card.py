@@ -53,7 +53,7 @@ class StatsCard:
         self._display.figures_shown = self.shown
 
     def drawing(self, theme, rect):
-        """Return the strokes of the card in `rect`, with those of the lines that there is room for: none is cut off."""
+        """Return the strokes of the card in `rect`, as high as those of its lines that there is room for."""
         px, high = theme.px, theme.line_height(look.SMALL)
         card = rect.inflate(-2 * px(AWAY), -2 * px(AWAY))
         row = card.inflate(-2 * px(PAD), -2 * px(PAD))
@@ -62,7 +62,8 @@ class StatsCard:
             more = theme.lines(line, look.SMALL, row.width)
             if (len(rows) + len(more)) * high <= row.height:
                 rows += more
-        strokes = box_strokes(theme, card)
+        card.height = min(card.height, len(rows) * high + 2 * px(PAD))
+        strokes = box_strokes(theme, card, rect)
         for number, text in enumerate(rows):
             place = (row.x, row.y + number * high, row.width, high)
             strokes.append((draw_list.words, place, text, look.SMALL, look.TEXT, 0))

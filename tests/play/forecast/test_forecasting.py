@@ -10,6 +10,7 @@ from game import Rule
 from game.core.draw.heatmap import ALWAYS, NEVER
 from game.play.forecast import legend
 from game.play.forecast.forecasting import STALE_S
+from game.play.ui import theme as look
 from game.world.background.forecast_thread import ForecastThread, forecast_of
 from game.world.looks.heatmap_colours import cover
 from game.world.looks.painter import rgb
@@ -258,6 +259,25 @@ def test_the_legend_tells_runs_error_moment_and_the_cell_under_the_pointer(paper
     assert ahead == "200 iterations ahead" and when == "Computed now"
     assert runs == "10,000 runs: ± 0.5 % at most"
     assert here == f"Here {100 * share:.1f} ± {100 * (share * (1 - share) / 10_000) ** 0.5:.1f} %"
+
+
+def test_the_legend_is_as_high_as_its_lines_and_leaves_nothing_of_more(paper):
+    pygame.display.set_mode((1280, 720), pygame.RESIZABLE, 32)
+    paper.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=1280, y=720))
+    see_forecast(paper)
+    place = paper.parts.display.layout.cards["legend"]
+    seen = []
+    for pointer in (paper.pixel(30, 30), None):
+        paper.move(pointer or (paper.parts.window.size[0] - 1, 1))
+        paper.wait(20)
+        for exposed in (False, True):
+            if exposed:
+                paper.drawn()
+            seen.append(pixels_of(paper)[place.top : place.bottom, place.left : place.right])
+    more, more_anew, less, less_anew = seen
+    assert (more == more_anew).all() and (less == less_anew).all()
+    heights = [np.flatnonzero((each != each[-1, -1]).any(axis=(1, 2)))[-1] for each in (more, less)]
+    assert heights[0] - heights[1] == paper.parts.display.theme.line_height(look.SMALL)
 
 
 @pytest.mark.parametrize("theme", THEMES)
