@@ -50,6 +50,7 @@ LIGHT = {  # by what the darkest and the lightest shade of a material differ fro
     LIQUID_SURFACE: (0.3, 0.34),
 }
 GLOWING = (-0.12, 0.3)  # as in LIGHT: of what glows
+APART, MOVED = 40, 0.2  # channels of colours nearer than that are moved, by that part
 GAS_COVERS = 0.6  # how much of what is behind it a gas hides
 WALL_LOOKS = ("stone", "glass", "wood")  # what a scene's walls can be made of; in glass its long level runs are wooden
 
@@ -113,7 +114,7 @@ class Colours(NamedTuple):
         if look.substance.glows:
             return Range(*(_lit(look.substance.colour, by) for by in GLOWING))
         if look.shape not in (GAS, GAS_INSIDE):
-            return _material(look.substance.colour, look.shape)
+            return _material(_apart(look.substance.colour, self.air[AIR].dark), look.shape)
         behind = self.air[AIR if look.shape == GAS else INSIDE]
         return Range(*(_mixed(look.substance.colour, each, GAS_COVERS) for each in behind))
 
@@ -145,6 +146,13 @@ def substances_of(materials):
 
 def _material(colour, shape):
     return Range(*(_lit(colour, by) for by in LIGHT[shape]))
+
+
+def _apart(colour, air):
+    """Return a colour that can be told from the air: one too near to it is moved away from that, darker or lighter."""
+    if max(abs(part - other) for part, other in zip(colour, air, strict=True)) >= APART:
+        return colour
+    return _lit(colour, -MOVED if sum(air) > 3 * 128 else MOVED)
 
 
 def _lit(colour, by):

@@ -4,6 +4,7 @@ import itertools
 
 import pytest
 
+from game import load_rule
 from game.core.draw.cells import SHADES
 from game.core.draw.looks import (
     AIR,
@@ -14,12 +15,15 @@ from game.core.draw.looks import (
     INSIDE_BY_WALL,
     MOST_LOOKS,
     POST,
+    SHAPES,
     WOOD,
     WOOD_EDGE,
     WOOD_RIM,
+    Look,
     dyed,
 )
-from game.world.looks.themes import THEMES, WALL_LOOKS, palette, rgb
+from game.world.looks.themes import THEMES, WALL_LOOKS, palette, rgb, substances_of
+from game.world.rules.definition import rule_names
 from tests.eyes import RARE_SIGHTS, SIGHTS, contrast, difference, lab
 
 FREE = {"stone": (AIR, AIR_BY_WALL), "wood": (AIR, AIR_BY_WALL)}  # what lies about the walls of each kind
@@ -114,3 +118,28 @@ def test_light_falls_on_every_colour_from_above(colours, walls):
         assert brightness[1] > brightness[2] > brightness[0] > brightness[3]
         for look, (dark, light) in looks.items():
             assert values[dyed(look)[number], 0] == rgb(*dark) and values[dyed(look)[number], -1] == rgb(*light)
+
+
+def mean_of(shades):
+    return tuple(sum(pair) / 2 for pair in zip(*shades, strict=True))
+
+
+def means(colours, rule):
+    """Return {name: (class, mean colour)} of what a rule's cells can hold."""
+    substances, materials = substances_of(rule.definition.materials), rule.definition.materials
+    return {
+        materials[each.codes[0]].name: (each.kind, mean_of(colours.seen(Look(SHAPES[each.kind][0], each), "stone")))
+        for each in substances.all
+    }
+
+
+@EVERY_THEME
+@EVERY_EYE
+@pytest.mark.parametrize("name", rule_names())
+def test_every_eye_tells_materials_of_a_class_from_each_other_and_from_air(colours, sight, name):
+    seen, air = means(colours, load_rule(name)), lab(colours.mean(AIR), sight)
+    for material, (_, colour) in seen.items():
+        assert difference(lab(colour, sight), air) > 12, material
+    for (one, (kind, colour)), (other, (other_kind, other_colour)) in itertools.combinations(seen.items(), 2):
+        if kind == other_kind:
+            assert difference(lab(colour, sight), lab(other_colour, sight)) > 12, (one, other)
