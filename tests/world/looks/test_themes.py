@@ -125,11 +125,12 @@ def mean_of(shades):
 
 
 def means(colours, rule):
-    """Return {name: (class, mean colour)} of what a rule's cells can hold."""
+    """Return {name: (class, mean colour)} of the materials that a player knows."""
     substances, materials = substances_of(rule.definition.materials), rule.definition.materials
     return {
         materials[each.codes[0]].name: (each.kind, mean_of(colours.seen(Look(SHAPES[each.kind][0], each), "stone")))
         for each in substances.all
+        if materials[each.codes[0]].form_of is None
     }
 
 
