@@ -1,5 +1,6 @@
 """The layout: every part has a place of its own, and the first window is as large as suits the screen."""
 
+import sys
 from functools import cache
 from itertools import combinations, product
 
@@ -51,11 +52,17 @@ def test_the_whole_window_is_on_a_screen_of_480_rows(monkeypatch):
 
 def test_what_was_remembered_or_asked_for_goes_first(monkeypatch):
     monkeypatch.setattr(loop, "desktop_size", lambda: (2560, 1440))
+    monkeypatch.setattr(loop, "Window", lambda size, fullscreen: sys.exit(size))
     scene, settings, theme = load_scene("hourglass"), Settings(), Theme(1.0)
-    assert loop._size(scene, settings, None, theme) == first_size(scene, theme, (2560, 1440))
+
+    def opened(cell=None):
+        with pytest.raises(SystemExit) as window:
+            loop.play(scene, settings, cell=cell)
+        return window.value.code
+
+    assert opened() == first_size(scene, theme, (2560, 1440))
     settings["window_width"], settings["window_height"] = 777, 666
-    assert loop._size(scene, settings, None, theme) == (777, 666)
-    assert loop._size(scene, settings, 2, theme) == window_size(scene, 2, theme)
+    assert opened() == (777, 666) and opened(cell=2) == window_size(scene, 2, theme)
 
 
 @pytest.mark.parametrize(("desktop", "scale"), [((1920, 1080), 1.0), ((2560, 1440), 1.0), ((3840, 2160), 1.5)])
