@@ -9,6 +9,7 @@ import pytest
 
 from game import cli
 from game.study import run
+from game.study.physics.claims import CAPTION
 from game.study.report import report
 from game.study.report.drawing import figure
 from game.study.report.report import AGREES, DIFFERS, DISAGREES, NOTED, Picture
@@ -105,11 +106,13 @@ def test_the_report_has_every_item_and_the_status_follows_the_verdicts(tmp_path,
 
 def test_the_readme_counts_verdicts_and_shows_the_headlines_with_date_and_machine(tmp_path, monkeypatch):
     headline = sorted(HEADLINES)[0]
-    items = report.same(headline, 1, 1, "counting"), report.noted("an aside", 2)
+    claims = Table.of(CAPTION, ("real sand", "some sand"), [("it is sand", "yes: 1")])
+    items = report.same(headline, 1, 1, "counting"), report.noted("an aside", 2), claims
     monkeypatch.setattr(run, "PARTS", {"one": part(*items)})
     run.run(True, tmp_path, ("one",))
     text = (tmp_path / "README.md").read_text("utf-8")
     assert "| A part | 1 | 0 | 0 | 1 |" in text and headline in text and "an aside" not in text
+    assert CAPTION in text and "| it is sand | yes: 1 |" in text
     assert f"Measured on {date.today().isoformat()}, quick run; " in text and "numpy" in text
     assert "python main.py study --quick --out DIR" in text
 
