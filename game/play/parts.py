@@ -16,10 +16,11 @@ from game.play.forecast.forecasting import Forecasting
 from game.play.frame_step import FrameStep
 from game.play.pages.gallery import GalleryPage
 from game.play.pages.help import HelpPage
-from game.play.panel.friction_section import FrictionSection
+from game.play.pages.material_page import MaterialPage
 from game.play.panel.glass_section import GlassSection
 from game.play.panel.panel import Panel
 from game.play.panel.recording_section import RecordingSection
+from game.play.panel.rule_section import RuleSection
 from game.play.panel.scene_section import SceneSection
 from game.play.panel.show_section import ShowSection
 from game.play.panel.time_section import TimeSection
@@ -33,6 +34,8 @@ from game.play.storage.journals import Journals
 from game.play.storage.open_sessions import Sessions
 from game.play.storage.photo_import import PhotoImport
 from game.play.storage.recorder import Recorder
+from game.play.storage.rule_change import RuleChange
+from game.play.storage.rule_files import RuleFiles
 from game.play.storage.settings_saver import SettingsSaver
 from game.play.timer.chime import Chime
 from game.play.timer.glow import Glow
@@ -84,7 +87,11 @@ class Parts:
         self.plots = Plots(self.sessions, self.display, self.frame_stats, self.background, self.notices)
         self.dialog = Dialog(self.display)
         self.photo_import = PhotoImport(self.sessions, self.display)
-        self.files = Files(self.sessions, self.journals, self.photo_import, self.background, self.notices)
+        self.rule_change = RuleChange(self.sessions, self.background)
+        self.rule_files = RuleFiles(self.sessions, self.rule_change, self.background, self.notices)
+        self.files = Files(
+            self.sessions, self.journals, self.photo_import, self.rule_files, self.background, self.notices
+        )
         self.recorder = Recorder(self.sessions, self.display, self.background, self.notices)
         self.crash_recovery = CrashRecovery(self.sessions, self.journals, self.dialog, self.background, self.notices)
         self.settings_saver = SettingsSaver(
@@ -92,7 +99,8 @@ class Parts:
         )
         self.gallery = GalleryPage(self.display, self.sessions, self.files, self.background, self.notices)
         self.help = HelpPage(self.display)
-        self.display.pages = self.help, self.gallery
+        self.material_page = MaterialPage(self.display, self.sessions, self.brush)
+        self.display.pages = self.help, self.gallery, self.material_page
         self.hiss = Hiss(self.sessions, self.settings, self.audio, self.background, self.notices)
         self.planner = RunOutPlanner(self.sessions, self.background)
         self.glow = Glow(self.display, self.settings)
@@ -136,14 +144,15 @@ class Parts:
         hints = Hints(self.settings, sessions, display, notices)
         self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss, hints]
         self.watchers += [self.forecasting, self.plots, self.fast_forward, self.timer, self.glow]
+        self.watchers += [self.rule_change, self.rule_files]
 
     def _sections(self):
         """Return the sections of the panel, from top to bottom."""
         sessions, commands = self.sessions, self.commands
         return (
             SceneSection(sessions, commands.files),
-            ToolsSection(self.brush),
-            FrictionSection(sessions),
+            ToolsSection(self.brush, self.material_page),
+            RuleSection(sessions, self.rule_change, self.rule_files, self.brush),
             TimeSection(sessions, commands.time, commands.sand, self.fast_forward),
             TimerSection(self.timer, sessions, self.settings, commands.time),
             GlassSection(sessions, self.planner, self.notices),

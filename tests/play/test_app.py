@@ -193,7 +193,7 @@ def test_the_p_slider_sets_both_topples(glass):
 
 
 def test_the_bias_slider_leans_the_topples(glass):
-    glass.click(glass.control("Bias and schedule"))
+    glass.click(glass.control("Bias, schedule and file"))
     p = glass.session.rule.p
     glass.click(glass.control("Bias", 0.0))
     assert (glass.session.rule.topple_left, glass.session.rule.topple_right) == (p, 0.0)
@@ -202,7 +202,7 @@ def test_the_bias_slider_leans_the_topples(glass):
 
 
 def test_p_at_zero_does_not_forget_the_bias(glass):
-    glass.click(glass.control("Bias and schedule"))
+    glass.click(glass.control("Bias, schedule and file"))
     glass.click(glass.control("Bias", 0.0))
     glass.click(glass.control("p", 0.0))
     glass.click(glass.control("p", 0.999))

@@ -7,6 +7,7 @@ import pygame
 from game.play.controls.fixture_tool import FixtureTool, fresh
 from game.play.controls.gestures import Press, Span, Trail
 from game.play.view.outlines import box_outline, brush_outline, mark
+from game.play.view.swatches import swatches_of
 from game.world.sand import parameters
 from game.world.sand.sand_colours import AMBER, COLOURS, DYES
 from game.world.sessions.action import EMPTY_CELLS, ERASE, SHAPES, USUAL_SHAPE, Fill, Paint, SetFixtures, box, snap
@@ -70,6 +71,12 @@ class Brush:
         codes = self._sessions.now.world.codes
         names = dict.fromkeys(codes.told[code] for code in sorted(codes.filled | {codes.wall}))
         return (*names, ERASE)
+
+    def swatches(self, colours):
+        """Return the colours of what can be painted in a theme's Colours, without the eraser."""
+        rule = self._sessions.now.rule
+        swatches = swatches_of(colours, rule.definition.materials)
+        return tuple(swatches[rule.codes.told.index(name)] for name in self.materials[:-1])
 
     @property
     def material(self):

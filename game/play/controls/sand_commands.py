@@ -30,7 +30,7 @@ class SandCommands:
     def tilt(self, way):
         """Tilt the table a step to the left (-1) or to the right (1)."""
         rule = self._sessions.now.rule
-        if not rule.codes.is_sand:
+        if not rule.leans:
             self._notices.say("Only a table of sand tilts: this rule has no left and right.")
             return
         if rule.p == 0.0:

@@ -24,8 +24,8 @@ SHORT = {"rectangle": "Box"}  # so that four buttons fit a row
 class ToolsSection:
     """The tools and the brush; what is seldom changed of it can be folded away."""
 
-    def __init__(self, brush):
-        self._brush = brush
+    def __init__(self, brush, material_page):
+        self._brush, self._page = brush, material_page
         self._open = False
 
     def lay_out(self, ui):
@@ -33,7 +33,7 @@ class ToolsSection:
         brush = self._brush
         ui.heading("Tools")
         _show_tools(ui, brush)
-        _show_materials(ui, brush)
+        self._show_materials(ui)
         if brush.has_colours:
             _show_colours(ui, brush)
         tip = "Width of the brush, in cells  (1-9)"
@@ -45,6 +45,22 @@ class ToolsSection:
         if self._open:
             _show_shape(ui, brush)
 
+    def _show_materials(self, ui):
+        """Show what can be painted; the material in hand, pressed again, shows what it does."""
+        brush = self._brush
+        names, tip = brush.materials, "What the left button paints; the right one erases  (S, W, X)"
+        labels, index = [name.capitalize() for name in names], names.index(brush.material)
+        if brush.has_colours:
+            chosen = ui.segmented("Paint", labels, index, tip=tip)
+        else:
+            tips = [f"Paints {name}; pressed again, it shows what {name} does with others  (,)" for name in names[:-1]]
+            tips.append("Paints with nothing  (X)")
+            again = self._page.toggle if index < len(names) - 1 else None
+            colours = (*brush.swatches(ui.theme.colours), None)
+            chosen = ui.grid("Paint", labels, index, 4, tips, colours, again)
+        if chosen != index:
+            brush.material = names[chosen]
+
 
 def _show_tools(ui, brush):
     tools = tuple(TOOLS)
@@ -52,18 +68,6 @@ def _show_tools(ui, brush):
     chosen = tools[ui.grid("Tool", labels, tools.index(brush.tool), 4, [TIPS[tool] for tool in tools])]
     if chosen != brush.tool:
         brush.choose(chosen)
-
-
-def _show_materials(ui, brush):
-    names, tip = brush.materials, "What the left button paints; the right one erases  (S, W, X)"
-    labels, index = [name.capitalize() for name in names], names.index(brush.material)
-    if brush.has_colours:
-        chosen = ui.segmented("Paint", labels, index, tip=tip)
-    else:
-        tips = [f"Paints {name}; the right button erases  (,)" for name in names[:-1]]
-        chosen = ui.grid("Paint", labels, index, 4, [*tips, "Paints with nothing  (X)"])
-    if chosen != index:
-        brush.material = names[chosen]
 
 
 def _show_colours(ui, brush):

@@ -1,4 +1,4 @@
-"""Files: saves the scene, and opens scenes, replays and pictures, also those dropped on the window."""
+"""Files: saves the scene, and opens scenes, rules, replays and pictures, also those dropped on the window."""
 
 from functools import partial
 from pathlib import Path
@@ -6,6 +6,7 @@ from types import SimpleNamespace
 
 from game.world.files.checked_table import as_line
 from game.world.files.paths import asset, save_new
+from game.world.rules.rule_text import is_rule
 from game.world.scenes.picture_file import Photo, SeededScene, open_picture, picture_bytes
 from game.world.scenes.scene import Scene, load_scene
 from game.world.sessions import recording as replay
@@ -21,8 +22,9 @@ def demos():
 class Files:
     """Saves and opens beside the frames, and says on the screen what came of it."""
 
-    def __init__(self, sessions, journals, photo_import, background, notices):
+    def __init__(self, sessions, journals, photo_import, rule_files, background, notices):
         self._sessions, self._journals, self._photo_import = sessions, journals, photo_import
+        self._rule_files = rule_files
         self._background, self._notices = background, notices
 
     def save(self):
@@ -38,7 +40,7 @@ class Files:
         self._background.do(work, lambda path: self._notices.say(f"Saved as {path}"), writes=True)
 
     def open(self, path):
-        """Open a scene, a replay, a saved scene or any picture."""
+        """Open a scene, a rule, a replay, a saved scene or any picture."""
         self._background.do(partial(read, path), self._take)
 
     def play_demo(self, name):
@@ -54,7 +56,9 @@ class Files:
 
     def _take(self, found):
         what, name = found
-        if isinstance(what, Recording):
+        if isinstance(what, Path):
+            self._rule_files.play(what, f"Plays by {name} from now on. Ctrl+Z takes you back.")
+        elif isinstance(what, Recording):
             height, width = what.scene.shape
             self._sessions.slowly(f"Opening {name} …", partial(self.play, what, name), height * width)
         elif isinstance(what, Photo):
@@ -71,11 +75,14 @@ class Files:
 
 
 def read(path):
-    """Return (Scene, Recording, SeededScene or Photo; the file's name); raise the file's error, one line, if none."""
+    """Return what a file holds, and its name; raise the file's error, one line, if it is none of these.
+
+    It is a Scene, Recording, SeededScene or Photo; of a rule it is the path alone.
+    """
     path = Path(path)
     kind = path.suffix.lower()
     if kind == ".toml":
-        found: Scene | Recording | SeededScene | Photo = load_scene(path)
+        found: Scene | Recording | SeededScene | Photo | Path = path if is_rule(path) else load_scene(path)
     elif kind == replay.SUFFIX:
         found = replay.load_replay(path)
     else:

@@ -4,24 +4,39 @@ import pygame
 
 from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.ui.controls import GAP, ROW
+from game.play.ui.controls import GAP, PUSH_KEYS, ROW
 
 INSET = 6  # from the edge of a button to its word
 BETWEEN = 3  # pixels at scale 1 between two swatches
+SWATCH = 9  # before a word
+NEAR = 4  # from the edge to a swatch, and from there to the word
 
 
-def grid(ui, name, options, index, columns, tips):
-    """Show options in rows of `columns`; return the index of the chosen one. The tip is that of the one pointed at."""
+def grid(ui, name, options, index, columns, tips, colours=None, on_again=None):
+    """Show options in rows of `columns`; return the index of the chosen one. The tip is that of the one pointed at.
+
+    colours: of a swatch before each option, or None where it has none. on_again: called without arguments when the
+    chosen option is pressed, or pushed by key.
+    """
     px = ui.theme.px
-    widest = max(ui.theme.width(option, look.BODY) for option in options) + 2 * px(INSET)
+    aside, inset = (px(SWATCH) + px(NEAR), px(NEAR)) if colours else (0, px(INSET))
+    widest = max(ui.theme.width(option, look.BODY) for option in options) + 2 * inset + aside
     columns = max(1, min(columns, ui.width // widest))
-    me, parts, index, pointed = _claim(ui, name, columns, columns, index, tips)
+    me, parts, index, pointed = _claim(ui, name, columns, columns, index, tips, on_again)
     ui.stroke(draw_list.box, parts[0].unionall(parts[1:]), look.SUNKEN, px(4))
     for number, (part, option) in enumerate(zip(parts, options, strict=True)):
         if number == index:
             ui.stroke(draw_list.box, part.inflate(-2 * px(2), -2 * px(2)), look.EDGE if me.hover else look.HOVER, px(3))
         colour = look.HANDLE if number == index else look.TEXT if me.hover and number == pointed else look.DIM
-        ui.stroke(draw_list.words, part.inflate(-2 * px(3), 0), option, look.BODY, colour, 0.5)
+        words = part.inflate(-2 * px(3), 0)
+        if colours:
+            if colours[number]:
+                side = px(SWATCH)
+                place = pygame.Rect(part.x + px(NEAR), part.centery - side // 2, side, side)
+                ui.stroke(draw_list.box, place.inflate(2, 2), look.EDGE, px(3))
+                ui.stroke(draw_list.box, place, colours[number], px(2))
+            words = pygame.Rect(part.x + inset + aside, part.y, part.width - inset - aside, part.height)
+        ui.stroke(draw_list.words, words, option, look.BODY, colour, 0 if colours else 0.5)
     return index
 
 
@@ -40,7 +55,7 @@ def swatches(ui, name, fields, index, tips):
     return index
 
 
-def _claim(ui, name, columns, down, index, tips):
+def _claim(ui, name, columns, down, index, tips, on_again=None):
     """Claim a part for each tip, in rows of `columns`; return (claim, parts, chosen index, index pointed at or None).
 
     down: how far the arrow down goes.
@@ -51,9 +66,13 @@ def _claim(ui, name, columns, down, index, tips):
     steps = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_UP: -down, pygame.K_DOWN: down}
     steps |= {pygame.K_HOME: -count, pygame.K_END: count}
     pointed = ui.focus.pointed_part(name)
-    me = ui.claim(name, rect, parts=parts, keys=frozenset(steps), tip=tips[index if pointed is None else pointed])
+    keys = frozenset(steps) | (PUSH_KEYS if on_again else frozenset())
+    me = ui.claim(name, rect, parts=parts, keys=keys, tip=tips[index if pointed is None else pointed])
     for event in me.events:
-        index = _chosen(event, steps, index, count)
+        if on_again and _is_again(event, index):
+            on_again()
+        elif event.kind != "key" or event.key in steps:
+            index = _chosen(event, steps, index, count)
     return me, parts, index, pointed
 
 
@@ -61,6 +80,10 @@ def _part(rect, place, columns, height):
     row, column = divmod(place, columns)
     left, right = (rect.x + rect.width * edge // columns for edge in (column, column + 1))
     return pygame.Rect(left, rect.y + row * height, right - left, height)
+
+
+def _is_again(event, index):
+    return event.key in PUSH_KEYS if event.kind == "key" else event.kind == "press" and event.part == index
 
 
 def _chosen(event, steps, index, count):

@@ -4,15 +4,11 @@ A drawing is a list of tuples (stroke, rect, ...): a value, so that two frames c
 Each stroke takes (surface, theme, rect moved to its place, ...). A colour is a role that the theme knows, or RGB.
 """
 
-import pygame
-
 from game.play.ui import theme as look
 
 CHEVRON_DOWN = ((0, 0.22), (0.14, 0.22), (0.5, 0.58), (0.86, 0.22), (1, 0.22), (1, 0.34), (0.5, 0.82), (0, 0.34))
 CHEVRON_RIGHT = tuple((y, x) for x, y in CHEVRON_DOWN)
 ARROW = ((0, 0.42), (0.55, 0.42), (0.55, 0.15), (1, 0.5), (0.55, 0.85), (0.55, 0.58), (0, 0.58))
-
-CELL_COLOURS = {".": look.SUNKEN, "o": look.BRIGHT_ACCENT, "#": look.STONE}
 
 
 def draw(surface, theme, strokes, shift=(0, 0)):
@@ -78,12 +74,17 @@ def words(surface, theme, rect, text, size, colour, align):
     surface.blit(sprite, (x + round((width - sprite.get_width()) * align), y + (height - sprite.get_height()) // 2))
 
 
-def block(surface, theme, rect, corners):
-    """Draw a 2×2 block from its four corners a b c d: 'o' sand, '#' occupied, '.' empty."""
-    x, y, width, _ = rect
+def cells(surface, theme, rect, rows):
+    """Draw rows of cells, 2×2 of which fill the rect, in its middle; a cell is the tuple of colours of its stripes."""
+    x, y, width, height = rect
     gap = theme.px(1)
-    cell = (width - 3 * gap) // 2
-    surface.fill(theme.rgb(look.EDGE), (x, y, 2 * cell + 3 * gap, 2 * cell + 3 * gap))
-    for index, corner in enumerate(corners):
-        place = x + gap + (index % 2) * (cell + gap), y + gap + (index // 2) * (cell + gap)
-        surface.fill(theme.rgb(CELL_COLOURS[corner]), pygame.Rect(place, (cell, cell)))
+    side = (width - 3 * gap) // 2
+    wide, high = (len(each) * (side + gap) + gap for each in (rows[0], rows))
+    x, y = x + (width - wide) // 2, y + (height - high) // 2
+    surface.fill(theme.rgb(look.EDGE), (x, y, wide, high))
+    for down, row in enumerate(rows):
+        for right, stripes in enumerate(row):
+            left, top = x + gap + right * (side + gap), y + gap + down * (side + gap)
+            for number, colour in enumerate(stripes):
+                first, end = (side * each // len(stripes) for each in (number, number + 1))
+                surface.fill(theme.rgb(colour), (left + first, top, end - first, side))

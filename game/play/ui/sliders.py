@@ -36,13 +36,14 @@ def slider(
     spell: returns the text of a value; the scale's way if None.
     """
     scale = SliderScale(knob, log, step)
-    row, words, track, number = _lay_out(ui, picture, WITH_UNIT if scale.unit(value) else VALUE_WIDTH)
+    row, words, track, number, lines = _lay_out(ui, label, picture, WITH_UNIT if scale.unit(value) else VALUE_WIDTH)
     top = words.bottom if words.bottom < row.bottom else row.y
     zone = pygame.Rect(track.x, top, track.width, row.bottom - top).inflate(2 * ui.theme.px(HANDLE), 0)
     me = ui.claim(name or label, ui.bleed(row), parts=(zone,), keys=SLIDER_KEYS, tip=_tip(knob) if tip is None else tip)
     for event in me.events:
         value = _moved(scale, value, event, track, knob.default if default is None else default)
-    ui.stroke(draw_list.words, words, label, look.BODY, look.TEXT, 0)
+    for place, line, size in lines:
+        ui.stroke(draw_list.words, place, line, size, look.TEXT, 0)
     ui.stroke(draw_list.words, number, (spell or scale.spell)(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
     if picture:
         _draw_picture(ui, row, picture)
@@ -51,7 +52,7 @@ def slider(
 
 
 def slider_with_picture(ui, label, knob, value, before, after, **how):
-    """Show a slider beside a 2×2 block before and after: corners a b c d as 'o' sand, '#' occupied, '.' empty."""
+    """Show a slider beside cells before and after, at most 2×2 of them, as `draw_list.cells` draws them."""
     return slider(ui, label, knob, value, picture=(before, after), **how)
 
 
@@ -74,8 +75,11 @@ def _moved(scale, value, event, track, default):
     return scale.at(0.0 if event.key == pygame.K_HOME else 1.0)
 
 
-def _lay_out(ui, picture, value_width):
-    """Return the rects of the row, the words, the track (as far as the handle's centre goes) and the number."""
+def _lay_out(ui, label, picture, value_width):
+    """Return the rects of the row, the words, the track (as far as the handle's centre goes) and the number.
+
+    With them return the label's lines, as (rect, text, size): one that is too long is small and in several.
+    """
     px = ui.theme.px
     handle, value_width, label_width = px(HANDLE), px(value_width), ui.label_width
     if not picture and ui.width >= px(NARROW):
@@ -83,14 +87,24 @@ def _lay_out(ui, picture, value_width):
         words = pygame.Rect(row.x, row.y, label_width - px(4), row.height)
         number = pygame.Rect(row.right - value_width, row.y, value_width, row.height)
         left = row.x + label_width + handle
-        return row, words, pygame.Rect(left, row.centery, number.x - handle - left, 0), number
-    row = ui.place(px(TALL_ROW), px(4))
-    left = row.x + (_picture_width(px) + px(10) if picture else 0)
-    line = px(22)
+        track = pygame.Rect(left, row.centery, number.x - handle - left, 0)
+        return row, words, track, number, [(words, label, look.BODY)]
+    aside, line = _picture_width(px) + px(10) if picture else 0, px(22)
+    lines, size, high = (label,), look.BODY, line
+    room = ui.width - aside - value_width
+    if ui.theme.width(label, look.BODY) > room:
+        lines, size, high = ui.theme.lines(label, look.SMALL, room), look.SMALL, ui.theme.line_height(look.SMALL)
+    more = max(0, len(lines) * high - line)
+    row = ui.place(px(TALL_ROW) + more, px(4))
+    left = row.x + aside
     number = pygame.Rect(row.right - value_width, row.y, value_width, line)
-    words = pygame.Rect(left, row.y, number.x - left, line)
-    track_left = left + handle
-    return row, words, pygame.Rect(track_left, row.y + px(30), row.right - handle - track_left, 0), number
+    words = pygame.Rect(left, row.y, number.x - left, line + more)
+    track = pygame.Rect(left + handle, row.y + more + px(30), row.right - 2 * handle - left, 0)
+    written = [
+        (pygame.Rect(words.x, words.y + place * high, words.width, high), text, size)
+        for place, text in enumerate(lines)
+    ]
+    return row, words, track, number, written
 
 
 def _picture_width(px):
@@ -108,10 +122,10 @@ def _draw_picture(ui, row, picture):
     before = pygame.Rect(row.x, y, block, block)
     after = pygame.Rect(row.x + block + px(18), y, block, block)
     middle = (before.right + after.x) // 2
-    ui.stroke(draw_list.block, before, picture[0])
+    ui.stroke(draw_list.cells, before, picture[0])
     head = pygame.Rect(middle - arrow // 2, row.centery - arrow // 2, arrow, arrow)
     ui.stroke(draw_list.polygon, head, draw_list.ARROW, look.DIM)
-    ui.stroke(draw_list.block, after, picture[1])
+    ui.stroke(draw_list.cells, after, picture[1])
 
 
 def _draw_track(ui, track, scale, value, marks, me):

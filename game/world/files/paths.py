@@ -11,7 +11,7 @@ from game.world.files.atomic import clear_parts, make_folder, save_as_new
 
 PACKAGE = Path(__file__).resolve().parents[2]
 LONGEST_NAME = 40  # characters of a file's name, without time and suffix
-KINDS = ("scenes", "pictures", "measures")  # of files that the user makes, each in a folder of its own
+KINDS = ("scenes", "pictures", "measures", "rules")  # of files that the user makes, each in a folder of its own
 
 
 def asset(*parts):

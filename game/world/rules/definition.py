@@ -2,7 +2,7 @@
 
 import os
 import re
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache, cached_property, lru_cache
 from pathlib import Path
 from weakref import WeakValueDictionary
@@ -27,23 +27,11 @@ LAYERS = ("motion",)  # of a file that names none
 
 _KEYS = ("title", "notice", "schedule", "layers", "include", "materials", "any", "chances", "conserve", "event")
 _INCLUDED = ("layers", "any", "chances", "event")  # keys of a file that is included
-_known = WeakValueDictionary()  # (name, texts): a definition in use, so that a file read again is not compiled again
+_known = WeakValueDictionary()  # (name, texts, paths): a definition in use; a file read again is not compiled again
 RESERVED = (  # names that no chance can have, as a rule has them
-    *(
-        "as_dict",
-        "bias",
-        "chances",
-        "codes",
-        "definition",
-        "digest",
-        "events_of",
-        "leaning",
-        "materials",
-        "name",
-        "offsets",
-    ),
-    *("outcomes", "p", "probabilities", "rule", "schedule", "table", "texts", "values", "with_chances", "with_p"),
-    "with_schedule",
+    *("as_dict", "bias", "chances", "codes", "definition", "digest", "events_of", "is_sand", "leaning"),
+    *("leans", "materials", "name", "number", "offsets", "outcomes", "p", "probabilities", "rule", "schedule"),
+    *("table", "texts", "values", "with_chances", "with_p", "with_schedule"),
 )
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,23}")
 
@@ -72,6 +60,41 @@ class Definition:
     layers: tuple = field(compare=False)  # names, in the order in which they are tried
     events: tuple = field(compare=False)  # of Event, in the order in which they are tried
     books: tuple = field(compare=False)  # of Book
+    paths: tuple = field(compare=False, default=())  # of the files that it was read from, if it was
+    turned: tuple = ()  # the own numbers that are chances here, as in ("water.spread",)
+    _plain: "Definition | None" = field(compare=False, default=None, repr=False)
+
+    @property
+    def source(self):
+        """What the files say, whichever numbers are turned."""
+        return self.name, self.texts
+
+    @cached_property
+    def own_numbers(self):
+        """The materials' own numbers, as {"water.spread": 0.9}: all that events ask for and no chance stands for."""
+        asked = dict.fromkeys(
+            (code, chance.name)
+            for event in self.told_events()
+            for chance in event.chances
+            if isinstance(chance, OwnNumber)
+            for code in sorted(event.codes[chance.sign])
+        )
+        found = {}
+        for code, name in sorted(asked, key=lambda each: each[0]):
+            value = self.materials[code].number(name)
+            if isinstance(value, float):
+                found[f"{self.materials[code].name}.{name}"] = value
+        return found
+
+    def with_turned(self, names):
+        """Return the definition in which these own numbers, and no others, are chances with the same names."""
+        names = tuple(name for name in self.plain.own_numbers if name in names)
+        return self if names == self.turned else _with_turned(self.plain, names) if names else self.plain
+
+    @property
+    def plain(self):
+        """The definition in which no own number is a chance."""
+        return self if self._plain is None else self._plain
 
     @cached_property
     def table(self):
@@ -119,6 +142,12 @@ def rule_names():
     return tuple(sorted(names, key=lambda name: name != "sand"))
 
 
+@cache
+def rule_title(name):
+    """Return the title of a shipped rule without compiling it; its file is read once."""
+    return RuleText(asset("rules", f"{name}.toml")).root.line("title", name)
+
+
 def load_definition(name_or_path):
     """Return the Definition of a shipped rule, by name, or of a file (a path, or a name that ends in .toml).
 
@@ -130,7 +159,12 @@ def load_definition(name_or_path):
 
 def is_shipped(definition):
     """Return whether a definition is that of the shipped rule of its name."""
-    return definition.name in rule_names() and definition == load_definition(definition.name)
+    return definition.name in rule_names() and definition.source == load_definition(definition.name).source
+
+
+def read_definition(path):
+    """Return the Definition of the file at a path as it is now, were it a shipped one; raise RuleError."""
+    return _read(Path(path))
 
 
 def definition_of_texts(name, texts):
@@ -144,7 +178,7 @@ def definition_of_texts(name, texts):
         raise own.root.error("include", f"{len(others)} texts", "one for each name")
     for each in others:
         each.root.allow(_INCLUDED)
-    return _known_or_made(name, [own, *others])
+    return _known_or_made(name, [own, *others], ())
 
 
 def _path(name_or_path):
@@ -167,11 +201,11 @@ def _read(path):
     own = RuleText(path)
     own.root.allow(_KEYS)
     included = [_included(own, name) for name in own.root.names("include", MOST_INCLUDES)]
-    return _known_or_made(path.stem, [own, *included])
+    return _known_or_made(path.stem, [own, *included], tuple(each.path for each in (own, *included)))
 
 
-def _known_or_made(name, texts):
-    key = name, tuple(each.text for each in texts)
+def _known_or_made(name, texts, paths):
+    key = name, tuple(each.text for each in texts), paths
     definition = _known.get(key)
     if definition is None:
         definition = _defined(*key, texts)
@@ -180,7 +214,17 @@ def _known_or_made(name, texts):
     return definition
 
 
-def _defined(name, words, texts):
+@lru_cache(maxsize=32)
+def _with_turned(plain, names):
+    materials = []
+    for each in plain.materials:
+        own = {name.partition(".")[2]: name for name in names if name.partition(".")[0] == each.name}
+        materials.append(replace(each, numbers=tuple({**dict(each.numbers), **own}.items())))
+    knobs = [Knob(name, plain.own_numbers[name], 0.0, 1.0, "", " of ".join(name.split(".")[::-1])) for name in names]
+    return replace(plain, materials=tuple(materials), chances=(*plain.chances, *knobs), turned=names, _plain=plain)
+
+
+def _defined(name, words, paths, texts):
     own = texts[0]
     chances = _chances(texts)
     materials = read_materials(own.section("materials"), [each.name for each in chances])
@@ -198,6 +242,7 @@ def _defined(name, words, texts):
         layers=layers,
         events=read,
         books=tuple(_book(each, materials, read) for each in own.sections("conserve", MOST_BOOKS)),
+        paths=paths,
     )
 
 

@@ -86,8 +86,22 @@ class Rule:
         return cls(topple_left=p * min(1.0, 1.0 - bias), topple_right=p * min(1.0, 1.0 + bias), schedule=schedule)
 
     def with_chances(self, **chances):
-        """Return the rule with other probabilities for the chances named."""
-        return replace(self, **chances)
+        """Return the rule with other probabilities for the chances named; "water.spread" is a material's own number.
+
+        An own number is a chance of the rule as long as it is not what the file says.
+        """
+        told = self.definition.plain.own_numbers
+        own = {name: value for name, value in {**self.chances, **chances}.items() if name in told}
+        definition = self.definition.with_turned([name for name, value in own.items() if value != told[name]])
+        kept = {each.name for each in definition.chances}
+        values = {
+            name: value for name, value in {**self.chances, **chances}.items() if name in kept or name not in told
+        }
+        return Rule(definition=definition, schedule=self.schedule, **values)
+
+    def number(self, name):
+        """Return the probability of a chance, or a material's own number, by name."""
+        return self.chances[name] if name in self.chances else self.definition.own_numbers[name]
 
     def with_schedule(self, schedule):
         """Return the rule with another schedule."""
@@ -160,6 +174,16 @@ class Rule:
         return SCHEDULES[self.schedule]
 
     @property
+    def is_sand(self):
+        """Whether it is the rule of the paper's sand, whatever its chances are."""
+        return self.definition.source == SAND.source
+
+    @property
+    def leans(self):
+        """Whether it tells a topple to the left from one to the right, as the sand's rule does."""
+        return set(CHANCES[:2]) <= set(self.chances)
+
+    @property
     def p(self):
         """The larger topple probability: what the p slider shows."""
         return max(self.topple_left, self.topple_right)
@@ -167,7 +191,7 @@ class Rule:
     @property
     def bias(self):
         """The lean in [-1, 1] that, with p, gives the two topple probabilities; 0 in a rule that is not the sand's."""
-        if not self.codes.is_sand or self.p == 0.0:
+        if not self.leans or self.p == 0.0:
             return 0.0
         if self.topple_right < self.topple_left:
             return self.topple_right / self.p - 1.0

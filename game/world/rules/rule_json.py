@@ -29,6 +29,7 @@ def decode_rule(table):
         if table.values.get("digest") != _digest(definition):
             found = shown(table.values.get("digest"))
             raise table.error("digest", found, f"{_digest(definition)}: this {definition.name} is another")
+    definition = definition.with_turned(tuple(table.values))
     names = [each.name for each in definition.chances]
     table.allow((*(() if definition == SAND else ("rule", "digest", "texts")), *names, "schedule"))
     numbers = {each.name: table.number(each.name, each) for each in definition.chances}
@@ -40,7 +41,7 @@ def read_rule(table, folder):
     """Return the Rule that the key `rule` of a scene file says.
 
     It is the name of a shipped rule or of a file beside the scene, without .toml; or a table with that name, chances of
-    its own and a schedule. None if it is the sand's.
+    its own, own numbers of materials ("water.spread" = 0.5) and a schedule. None if it is the sand's.
     """
     value = table.values.get("rule", {})
     if isinstance(value, str):
@@ -48,7 +49,7 @@ def read_rule(table, folder):
     if not isinstance(value, dict) or "name" not in value:
         return None
     given = type(table)(table.file, value, f"{table.where}rule.")
-    rule = Rule(definition=_named(given, folder))
+    rule = Rule(definition=_named(given, folder).with_turned(tuple(value)))
     given.allow(("name", *rule.chances, "schedule"))
     numbers = {each.name: given.number(each.name, each) for each in rule.definition.chances if each.name in given}
     schedule = given.choice("schedule", tuple(SCHEDULES), rule.schedule)

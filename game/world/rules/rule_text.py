@@ -6,6 +6,7 @@ from game.world.files.checked_table import CheckedTable, TableError, parsed, rea
 
 LARGEST_FILE = 2**16  # bytes; the longest shipped rule takes 8,000
 
+_OF_RULES = re.compile(r"^\s*\[\[?\s*(materials|event)\b", re.MULTILINE)
 _HEADER = re.compile(r"\s*\[\[?\s*([^\[\]]+?)\s*\]\]?")
 _KEY = re.compile(r"""\s*["']?([^"'=#\[]+?)["']?\s*=""")
 
@@ -69,6 +70,14 @@ class RuleText:
         title = shown(name) if isinstance(name, str) else str(number + 1)
         lines = self._lines.get((key, number), {"": self.root.lines.get(key, 0)})
         return RuleSection(self.path, values, f"{key} {title}: ", lines)
+
+
+def is_rule(path):
+    """Return whether the file at a path tells of a rule, be it right or wrong, and not of a scene."""
+    try:
+        return _OF_RULES.search(read_text(path, LARGEST_FILE)) is not None
+    except TableError:
+        return False
 
 
 def _lines_of(text):

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from game.world.rules.rule import Rule
 from game.world.sand.advance import NO_TRAFFIC, advance
 from game.world.sand.grain_account import GrainAccount
+from game.world.sand.material_codes import SAND
 from game.world.sand.patch import alike
 from game.world.sand.sand_colours import COLOURS
 from game.world.sand.world import World
@@ -76,7 +77,7 @@ class Moment:
         if isinstance(action, Load):
             scene = self.scene if action.scene.is_like(self.scene) else action.scene
             return scene, account_of(outcome.world, outcome.rule)
-        if outcome.rule.definition != self.rule.definition:
+        if outcome.rule.definition.source != self.rule.definition.source:
             return self.scene, account_of(outcome.world, outcome.rule)
         scene = self.scene
         if isinstance(action, Reshape) and action.glass != scene.glass:
@@ -85,9 +86,11 @@ class Moment:
 
 
 def account_of(world, rule):
-    """Return the GrainAccount of a world from now on: each colour of sand is kept, and what a rule's books say."""
-    kinds = [(kind,) for kind in range(len(COLOURS))] if rule.codes.is_sand else rule.definition.kept
-    return GrainAccount(world.amounts, tuple(kinds))
+    """Return the GrainAccount of a world from now on: what the rule's books say is kept, of sand each colour."""
+    kinds = rule.definition.kept
+    if rule.codes.is_sand:
+        kinds = tuple((kind,) for kind in range(len(COLOURS))) if (SAND,) in kinds else ()
+    return GrainAccount(world.amounts, kinds)
 
 
 class Lookahead:

@@ -88,7 +88,7 @@ def at_rest(world, rule):
     """Return whether nothing can change any more under `rule`: neither now nor by any chance it leaves."""
     trial = world.copy()
     trial.fixtures = tuple(replace(each, every=1) for each in world.fixtures)
-    if rule.codes.is_sand:
+    if rule.is_sand:
         eager = rule.with_chances(**{name: _possible(p) for name, p in rule.chances.items()})
         advance(trial, eager, len(rule.offsets))
         return bool(np.array_equal(_contents(trial), _contents(world)))

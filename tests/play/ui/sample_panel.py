@@ -8,6 +8,7 @@ from game.play.ui.widgets import Ui
 from game.world.rules.rule import PROBABILITIES
 from game.world.sand import parameters
 
+PICTURE = ((("accent",), ("accent", "stone")),), (((), ("sunken",)),)
 SCENES = ["Hourglass", "Avalanche", "Rain", "Funnel", *(f"Scene {i}" for i in range(30))]
 WIDTH = 300
 PARAGRAPH = "One paragraph of several words that has to be wrapped to fit the narrow column."
@@ -45,7 +46,7 @@ class Panel:
         self.over = ui.toggle("Over walls", self.over)
         self.folded_out = ui.fold("More", self.folded_out)
         if self.folded_out:
-            self.fall_pair = ui.slider_with_picture("Pair", PROBABILITIES[2], self.fall_pair, "oo..", "..oo")
+            self.fall_pair = ui.slider_with_picture("Pair", PROBABILITIES[2], self.fall_pair, *PICTURE)
             ui.text(self.paragraph, dim=True)
         ui.row(3)
         for name in self.names:

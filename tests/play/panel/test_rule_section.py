@@ -20,7 +20,7 @@ def story(player):
     return player.session.timeline.history.story()
 
 
-@pytest.mark.parametrize(("fold", "slider"), [(None, "p"), ("Bias and schedule", "Bias"), ("Glass", "Fill")])
+@pytest.mark.parametrize(("fold", "slider"), [(None, "p"), ("Bias, schedule and file", "Bias"), ("Glass", "Fill")])
 def test_a_slider_put_back_in_one_drag_is_no_step_and_redo_stays(player, fold, slider):
     if fold:
         player.unfold(fold)

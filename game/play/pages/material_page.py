@@ -1,0 +1,136 @@
+"""The page of a material: how it moves, and what it becomes with others, as its rule says."""
+
+import pygame
+
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+from game.play.ui.card import draw_box
+from game.play.ui.widgets import Ui
+from game.play.view.swatches import striped, swatches_of
+from game.world.rules.reactions import behaviour, reactions
+
+WIDTH = 560  # pixels at scale 1
+AROUND = 12
+CELL_BOX = 26  # of a block in a picture
+PICTURE = 84  # from the left edge to the words
+CHANCE = 74  # at the right edge
+SHADE = 150  # of what lies behind the page: 0 is black, 255 as it is
+ALONE = "Nothing changes it, and it changes nothing: it only moves."
+STILL = "Nothing changes it, and it changes nothing."
+
+
+class MaterialPage:
+    """The page, over the window while it is open. The sand goes on behind it."""
+
+    def __init__(self, display, sessions, brush):
+        self._display, self._sessions, self._brush = display, sessions, brush
+        self.shown = False
+        self._ui = None
+        self._rect = pygame.Rect(0, 0, 0, 0)
+        self._shaded = False
+
+    def toggle(self):
+        """Open the page of the brush's material, or close it."""
+        self.shown, self._shaded = not self.shown, False
+        self._ui = Ui(self._display.theme)
+        if not self.shown:
+            self._display.lay_out_anew()
+
+    def forget(self):
+        """Draw everything next time."""
+        self._shaded = False
+
+    def handle_events(self, events, now_s, mouse_pos):
+        """Take what is meant for the page; Esc and a click beside it close it."""
+        if not self.shown:
+            return events
+        beside = [
+            each for each in events if each.type == pygame.MOUSEBUTTONDOWN and not self._rect.collidepoint(each.pos)
+        ]
+        if beside or any(each.type == pygame.KEYDOWN and each.key == pygame.K_ESCAPE for each in events):
+            self.toggle()
+            return []
+        self._ui.theme = self._display.theme
+        self._place()
+        rest = self._ui.begin(self._rect, events, now_s, mouse_pos)
+        if self._lay_out(self._ui):
+            self.toggle()
+        pointer = pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEWHEEL, pygame.MOUSEMOTION
+        return [each for each in rest if each.type not in pointer]
+
+    def draw(self, surface):
+        """Draw the page where it looks different; return the rects that changed."""
+        self._place()
+        if not self._shaded:
+            surface.fill((SHADE,) * 3, special_flags=pygame.BLEND_MULT)
+            draw_box(surface, self._display.theme, self._rect)
+            self._ui.invalidate()
+        drawn, whole = self._ui.end(surface), not self._shaded
+        self._shaded = True
+        return [surface.get_rect()] if whole else [self._rect] if drawn else []
+
+    def _place(self):
+        """Stand in the middle of the window, as high as it needs to be."""
+        px, size = self._display.theme.px, self._display.window.size
+        wide = min(px(WIDTH), size[0] - 2 * px(AROUND))
+        rect = pygame.Rect(0, 0, wide, size[1] - 2 * px(AROUND))
+        rect.center = size[0] // 2, size[1] // 2
+        if rect != self._rect:
+            self._rect, self._shaded = rect, False
+
+    def _lay_out(self, ui):
+        """Show the materials, and what there is to say of the brush's; return whether the page is to be closed."""
+        rule = self._sessions.now.rule
+        told, swatches = rule.definition, swatches_of(ui.theme.colours, rule.definition.materials)
+        names = [name for name in self._brush.materials if name in rule.codes.told]
+        name = self._brush.material if self._brush.material in names else names[0]
+        ui.row(2)
+        ui.heading(f"What {name} does")
+        closed = ui.button("Close", key="Esc", tip="Goes back to the sand")
+        colours = [swatches[rule.codes.told.index(each)] for each in names]
+        labels, index = [each.capitalize() for each in names], names.index(name)
+        tips = [f"Shows what {each} does, and paints with it" for each in names]
+        chosen = ui.grid("Material", labels, index, 4, tips, colours)
+        if chosen != index:
+            self._brush.material = names[chosen]
+        code = rule.codes.told.index(name)
+        ui.text(behaviour(told, code), dim=True)
+        found = reactions(rule, code)
+        for each in found:
+            _show(ui, each, swatches)
+        if not found:
+            ui.text(STILL if told.materials[code].kind == "solid" else ALONE)
+        return closed
+
+
+def _show(ui, reaction, swatches):
+    """Show a reaction: its picture, its words and its name, and how likely it is."""
+    px, width = ui.theme.px, ui.theme.width
+    line, small = ui.theme.line_height(look.BODY), ui.theme.line_height(look.SMALL)
+    words = reaction.words[:1].upper() + reaction.words[1:]
+    lines = ui.theme.lines(words, look.BODY, ui.width - px(PICTURE) - px(CHANCE))
+    high = max(len(lines) * line + small, px(CELL_BOX))
+    rect = ui.place(high + px(8), 0)
+    before, after = striped(reaction.picture, swatches)
+    box = pygame.Rect(rect.x, rect.y + (high - px(CELL_BOX)) // 2, px(CELL_BOX), px(CELL_BOX))
+    ui.stroke(draw_list.cells, box, before)
+    arrow = pygame.Rect(box.right + px(4), box.centery - px(5), px(10), px(10))
+    ui.stroke(draw_list.polygon, arrow, draw_list.ARROW, look.DIM)
+    ui.stroke(draw_list.cells, box.move(box.width + px(18), 0), after)
+    left = rect.x + px(PICTURE)
+    for number, text in enumerate(lines):
+        place = pygame.Rect(left, rect.y + number * line, rect.right - px(CHANCE) - left, line)
+        ui.stroke(draw_list.words, place, text, look.BODY, look.TEXT, 0)
+    below = pygame.Rect(left, rect.y + len(lines) * line, rect.right - left, small)
+    ui.stroke(draw_list.words, below, f"{reaction.event} ({reaction.layer})", look.SMALL, look.FAINT, 0)
+    chance = pygame.Rect(rect.right - px(CHANCE), rect.y, px(CHANCE), line)
+    spelt = spelled(reaction.chance)
+    size = look.BODY if width(spelt, look.BODY) <= chance.width else look.SMALL
+    ui.stroke(draw_list.words, chance, spelt, size, look.ACCENT, 1)
+
+
+def spelled(chance):
+    """Return a chance, or the least and the most that it can be, in words."""
+    if isinstance(chance, tuple):
+        return "–".join(f"{each:.3g}" for each in chance)
+    return "always" if chance == 1.0 else f"{chance:.3g}"
