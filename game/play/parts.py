@@ -20,7 +20,7 @@ from game.play.pages.material_page import MaterialPage
 from game.play.panel.glass_section import GlassSection
 from game.play.panel.panel import Panel
 from game.play.panel.recording_section import RecordingSection
-from game.play.panel.rule_section import RuleSection
+from game.play.panel.rules_section import RulesSection
 from game.play.panel.scene_section import SceneSection
 from game.play.panel.show_section import ShowSection
 from game.play.panel.time_section import TimeSection
@@ -152,7 +152,7 @@ class Parts:
         return (
             SceneSection(sessions, commands.files),
             ToolsSection(self.brush, self.material_page),
-            RuleSection(sessions, self.rule_change, self.rule_files, self.brush),
+            RulesSection(sessions, self.rule_change, self.rule_files, self.brush),
             TimeSection(sessions, commands.time, commands.sand, self.fast_forward),
             TimerSection(self.timer, sessions, self.settings, commands.time),
             GlassSection(sessions, self.planner, self.notices),

@@ -20,7 +20,7 @@ ALL_TIP = "How likely what each material does is, with a picture of it"
 SEVEN_TIP = "How likely each event in a block of 2×2 cells is"
 
 
-class RuleSection:
+class RulesSection:
     """The rules, and the sliders of a session's rule; a drag of one is one act."""
 
     def __init__(self, sessions, changes, rule_files, brush):
