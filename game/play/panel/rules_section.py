@@ -12,11 +12,9 @@ SCHEDULE_TIP = (
     "The order in which the partitions into blocks take turns. Margolus: two partitions; piles grow on one side first. "
     "Paper: four; grains alternate sides. Balanced: the same four in another order; grains fall evenly, twice as fast."
 )
-MOST_OPEN = 4  # chances that are always in sight
 RULE_TIP = "How materials move and change each other; what is here stays, as far as the other rule has it"
 LEAN_TIP = "Which side grains favour, in which order blocks take turns, and the file of the rule"
-FILE_TIP = "In which order blocks take turns, and the file of the rule"
-ALL_TIP = "How likely what each material does is, with a picture of it"
+ALL_TIP = "How likely what each material does is, with pictures; the schedule, and the file of the rule"
 SEVEN_TIP = "How likely each event in a block of 2×2 cells is"
 
 
@@ -25,7 +23,7 @@ class RulesSection:
 
     def __init__(self, sessions, changes, rule_files, brush):
         self._sessions, self._changes, self._files, self._brush = sessions, changes, rule_files, brush
-        self._all_open = self._file_open = False  # the folds of all that can be turned, and of schedule and file
+        self._all_open = self._lean_open = False  # the folds of all that can be turned, and of bias, schedule and file
         self._open = {}  # {material: whether its fold is open}, where the player has chosen
         self._turning = False  # a slider is being dragged, and what it sets is one act
         self._turned = False  # … in this frame
@@ -43,7 +41,7 @@ class RulesSection:
         self._turning = ui.focus.held is not None and (self._turning or self._turned)
 
     def _choose_rule(self, ui):
-        ui.skip(ui.theme.px(8))
+        ui.skip(ui.theme.px(2))
         labels = [*self._files.labels]
         now = labels.index(self._files.label)
         chosen = ui.choice("Rule", labels, now, tip=RULE_TIP)
@@ -51,16 +49,12 @@ class RulesSection:
             self._files.choose(labels[chosen])
 
     def _of_any(self, ui, rule):
-        """Show what can be turned in a rule: its chances if they are few, else all in a fold, material by material."""
-        told, dials = rule.definition, dials_of(rule.definition.plain)
-        if told.plain.own_numbers or len(told.chances) > MOST_OPEN:
-            self._all_open = ui.fold("What each material does", self._all_open, tip=ALL_TIP)
-            if self._all_open:
-                self._show_all(ui, rule, dials)
-        else:
-            for each in (each for of_one in dials.values() for each in of_one):
-                self._dial(ui, rule, each)
-        self._show_file(ui, FILE_TIP, lambda: self._play(ui, _choose_schedule(ui, rule)))
+        """Show what can be turned in a rule, material by material, its schedule, and what to do with its file."""
+        self._all_open = ui.fold("All of this rule", self._all_open, tip=ALL_TIP)
+        if self._all_open:
+            self._show_all(ui, rule, dials_of(rule.definition.plain))
+            self._play(ui, _choose_schedule(ui, rule))
+            self._show_file(ui)
 
     def _show_all(self, ui, rule, dials):
         """Show the dials of each material in a fold of its own; that of the brush's material is open."""
@@ -88,13 +82,8 @@ class RulesSection:
             self._changes.turn(knob.name, turned, join=self._turning)
             self._turned = True
 
-    def _show_file(self, ui, tip, above):
-        """Show a fold with what above() shows, and what is to be done with the rule's file."""
-        title = "Bias, schedule and file" if tip == LEAN_TIP else "Schedule and file"
-        self._file_open = ui.fold(title, self._file_open, tip=tip)
-        if not self._file_open:
-            return
-        above()
+    def _show_file(self, ui):
+        """Show what is to be done with the rule's file."""
         tip = "Gives all numbers of this rule the values that its file says"
         if ui.button("Reset to the file's", tip=tip, name="Reset rule", enabled=self._files.is_turned):
             self._files.reset()
@@ -118,7 +107,10 @@ class RulesSection:
         tip = "How readily grains topple. A lower p is more friction: piles are steeper."
         p = ui.slider("p", parameters.P, self._p, default=usual.p, marks=PAPER_P, tip=tip)
         self._play(ui, self._leant(rule, p, self._bias))
-        self._show_file(ui, LEAN_TIP, lambda: self._lean(ui, usual))
+        self._lean_open = ui.fold("Bias, schedule and file", self._lean_open, tip=LEAN_TIP)
+        if self._lean_open:
+            self._lean(ui, usual)
+            self._show_file(ui)
         self._all_open = ui.fold("All seven probabilities", self._all_open, tip=SEVEN_TIP)
         dials = [each for of_one in dials_of(SAND).values() for each in of_one]
         for knob in PROBABILITIES if self._all_open else ():
