@@ -81,7 +81,14 @@ def _pack_bit(cells, number, four, where, bit):
     Colours come after the codes, and are 0 outside.
     """
     four[:] = _FULL if bit < where.bits and where.outside >> bit & 1 else 0
-    pack_cells(cells, number, four, where.words)
+    set_bit(cells, number, four, where)
+
+
+def set_bit(cells, number, four, where):
+    """Set the bits of four planes to bit `number` of (H, W) uint8 cells, in place; what is beside the cells stays."""
+    fixed = cells.view()
+    fixed.flags.writeable = False  # always: a kernel compiles anew for arrays that are not
+    pack_cells(fixed, number, four, where.words)
 
 
 def empty(where, number):
@@ -178,8 +185,9 @@ def count_set(four, where, row=None):
 def bands(planes, where, height=64):
     """Yield the codes of the cells as (height or less, W) uint8 arrays, from the top down."""
     for top in range(0, where.height, height):
-        start = top // 2 * where.stride
-        yield unpack(planes[:, start:], where._replace(height=min(height, where.height - top)))
+        start, end = top // 2 * where.stride, (top + height) // 2 * where.stride
+        part = np.ascontiguousarray(planes[:, start:end])  # a kernel compiles anew for other strides
+        yield unpack(part, where._replace(height=min(height, where.height - top)))
 
 
 def turned(planes, where, quarters):

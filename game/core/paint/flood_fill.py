@@ -41,7 +41,7 @@ def _take_together(planes, where, wet, code, tally):
             four = planes[first : first + 4]
             cells = bit_planes.unpack(four, where)
             np.copyto(cells, np.uint8(tally.ink.code >> bit & 1), where=wet)
-            bit_planes.pack_cells(cells, 0, four, where.words)
+            bit_planes.set_bit(cells, 0, four, where)
     number = int(np.count_nonzero(wet))
     tally.change[code] -= number
     tally.change[tally.ink.code] += number
