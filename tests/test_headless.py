@@ -77,6 +77,15 @@ def test_headless_runs_without_pygame():
     assert subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=False).returncode == 0
 
 
+def test_no_start_waits_for_the_linear_algebra_of_scipy():
+    code = (
+        "import sys; from game.cli import main; main(['headless', '--scene', 'paper', '--frames', '2'])\n"
+        "print('scipy.linalg' in sys.modules); import scipy.linalg"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout.splitlines()[-1] == "False"
+
+
 @pytest.mark.parametrize("driver", ["", "x11"])
 def test_with_no_display_the_toy_says_so_and_runs_headless(driver):
     done = command(SDL_VIDEODRIVER=driver, DISPLAY="", WAYLAND_DISPLAY="")

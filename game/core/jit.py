@@ -10,7 +10,9 @@ import os
 import pickle
 import platform
 import shutil
+import sys
 import tempfile
+from importlib import import_module
 from pathlib import Path
 
 import llvmlite
@@ -26,6 +28,20 @@ from platformdirs import user_cache_dir
 
 FOLDERS_KEPT = 3  # caches of older sources and versions beside the current one; fewer means compiling after a switch
 SEAL = 32  # bytes of the checksum before a kernel's machine code
+
+
+def _pass_by_scipy():
+    """Import what of numba looks for BLAS in scipy, without it: no kernel calls BLAS, which takes 0.2 s to load."""
+    if "scipy.linalg" in sys.modules:
+        return
+    sys.modules["scipy.linalg"] = None  # as if it were not installed
+    try:
+        import_module("numba.np.arraymath")
+    finally:
+        del sys.modules["scipy.linalg"]
+
+
+_pass_by_scipy()
 
 
 def _digest():
