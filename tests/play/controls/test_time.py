@@ -2,9 +2,11 @@
 
 import pygame
 import pytest
+from PIL import Image
 
 from game.play.storage import open_sessions
 from game.play.storage.recorder import image_of_sand
+from game.world.files.paths import folder_of
 from game.world.scenes.scene import load_scene
 from game.world.sessions.action import Flip
 from game.world.sessions.moment import Moment
@@ -366,15 +368,22 @@ def test_strokes_that_are_announced_are_one_step_and_leave_nothing_out(player, m
     assert player.world.digest() == empty
 
 
-def test_streams_stay_smooth_while_time_is_held_and_in_the_picture_of_the_sand(glass, monkeypatch):
+def test_streams_stay_smooth_while_time_is_held_and_in_the_picture_of_the_sand(glass):
     glass.session.clock.speed = 60.0
     glass.wait(150)
     glass.hold_time()
     glass.parts.display.refresh()
     glass.wait(1)
-    images = []
-    monkeypatch.setattr(glass.parts.recorder, "_save_picture", lambda draw: images.append(draw()))
     glass.key(pygame.K_F12, mod=SHIFT)
-    scale = images[0].width // glass.world.shape[1]
+    glass.settle()
+    (path,) = folder_of("pictures").iterdir()
+    picture = Image.open(path)
+    scale = picture.width // glass.world.shape[1]
     cells = image_of_sand(glass.world, scale, glass.parts.display.colours, glass.session.scene.made_of)
-    assert cells.size == images[0].size and cells.tobytes() != images[0].tobytes()
+    assert cells.size == picture.size and cells.tobytes() != picture.convert(cells.mode).tobytes()
+    smooth = pygame.surfarray.array2d(glass.parts.window.surface)
+    glass.parts.settings["smooth_streams"] = False
+    glass.wait(1)
+    left, top, right, bottom = glass.parts.display.sand_view.view.seen
+    plain = pygame.surfarray.array2d(glass.parts.window.surface)
+    assert (smooth[left:right, top:bottom] != plain[left:right, top:bottom]).any()
