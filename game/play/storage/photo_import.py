@@ -1,4 +1,6 @@
-"""Photo import: shows a photo as the sand that it would become, with a threshold to adjust."""
+"""Photo import: shows a photo as the sand that it would become, with a threshold and materials to choose."""
+
+from typing import NamedTuple
 
 import numpy as np
 import pygame
@@ -7,7 +9,8 @@ from game.play.ui.card import Card
 from game.world.looks import painter
 from game.world.looks.themes import substances_of
 from game.world.looks.view import View
-from game.world.scenes.picture_file import THRESHOLD
+from game.world.sand.material_codes import WALL_NAME
+from game.world.scenes.picture_file import THRESHOLD, PhotoFilling
 
 WIDTH = 360  # pixels at scale 1
 TOP = 16
@@ -15,13 +18,20 @@ PICTURE_HEIGHT = 220
 ANSWERS = {pygame.K_RETURN: True, pygame.K_KP_ENTER: True, pygame.K_ESCAPE: False}  # whether the photo is used
 
 
+class _Choice(NamedTuple):
+    """What the photo is to become, as `Photo.picture` takes it."""
+
+    threshold: float
+    in_colours: bool
+    filling: PhotoFilling | None  # under a rule of other materials than sand
+
+
 class PhotoImport:
     """The card with the photo that is being looked at, if any."""
 
     def __init__(self, sessions, display):
         self._sessions, self._display = sessions, display
-        self._card = self._photo = self._found = None
-        self._threshold, self._in_colours = THRESHOLD.default, True
+        self._card = self._photo = self._found = self._choice = None
 
     @property
     def shown(self):
@@ -40,8 +50,12 @@ class PhotoImport:
 
     def show(self, photo):
         """Open the card with a Photo."""
-        self._photo, self._threshold, self._in_colours = photo, THRESHOLD.default, True
-        self._found = photo.picture(self._threshold, self._in_colours)
+        rule = self._sessions.now.rule
+        self._photo, filling = photo, None
+        if not rule.codes.is_sand:
+            filling = PhotoFilling(rule, rule.codes.usual, WALL_NAME)
+        self._choice = _Choice(photo.threshold, True, filling)
+        self._found = photo.picture(*self._choice)
         self._card = Card(self._display.theme, WIDTH)
         self._display.refresh()
 
@@ -49,13 +63,13 @@ class PhotoImport:
         """Adjust the threshold, use the photo or cancel; return the events that are not the card's."""
         rest = self._card.lay_out(self._display, self._display.theme.px(TOP), events, now_s, mouse_pos)
         ui = self.ui
-        ui.heading(f"{self._photo.path.name} as sand")
-        self._room = ui.place(self._display.theme.px(PICTURE_HEIGHT), self._display.theme.px(8))
-        threshold = ui.slider("Threshold", THRESHOLD, self._threshold, tip=None)
-        in_colours = ui.toggle("In colours", self._in_colours, tip="Gives each grain the nearest sand colour")
-        if (threshold, in_colours) != (self._threshold, self._in_colours):
-            self._threshold, self._in_colours = threshold, in_colours
-            self._found = self._photo.picture(threshold, in_colours)
+        filling = self._choice.filling
+        ui.heading(f"{self._photo.path.name} as {'materials' if filling else 'sand'}")
+        room = ui.place(self._display.theme.px(PICTURE_HEIGHT), self._display.theme.px(8))
+        choice = self._chosen(ui)
+        if choice != self._choice:
+            self._choice, self._found = choice, self._photo.picture(*choice)
+        ui.stroke(_picture, room, self._found.scene)
         ui.row(2)
         used, cancelled = ui.button("Use", key="Enter"), ui.button("Cancel", key="Esc")
         keys = [event.key for event in rest if event.type == pygame.KEYDOWN and event.key in ANSWERS]
@@ -63,13 +77,23 @@ class PhotoImport:
             self._answer(used or (not cancelled and ANSWERS[keys[0]]))
         return [event for event in rest if not (event.type == pygame.KEYDOWN and event.key in ANSWERS)]
 
+    def _chosen(self, ui):
+        """Return the choice as the controls have it."""
+        threshold, in_colours, filling = self._choice
+        default = self._photo.threshold
+        threshold = ui.slider("Threshold", THRESHOLD, threshold, default=default, tip=None)
+        if not filling:
+            in_colours = ui.toggle("In colours", in_colours, tip="Gives each grain the nearest sand colour")
+            return _Choice(threshold, in_colours, filling)
+        names = [each.name for each in filling.rule.definition.materials if each.form_of is None]
+        words = [name.capitalize() for name in names]
+        bright = names[ui.choice("Bright is", words, names.index(filling.bright))]
+        between = names[ui.choice("Half as bright is", words, names.index(filling.between))]
+        return _Choice(threshold, in_colours, filling._replace(bright=bright, between=between))
+
     def draw(self, surface, theme, area):
         """Draw the card with the photo as it would be; return the rects that it covers."""
-        covered = self._card.draw(surface, theme)
-        room = self._room.move(self._card.rect.topleft)
-        sprite = _sprite(self._found.scene, room.size, theme.colours)
-        surface.blit(sprite, sprite.get_rect(center=room.center))
-        return covered
+        return self._card.draw(surface, theme)
 
     def _answer(self, used):
         """Use the photo, or close the card without."""
@@ -86,6 +110,13 @@ class PhotoImport:
     def _close(self):
         self._card = None
         self._display.refresh()
+
+
+def _picture(surface, theme, room, scene):
+    """Draw a scene's cells in the middle of a room, as `draw_list` draws."""
+    rect = pygame.Rect(room)
+    sprite = _sprite(scene, rect.size, theme.colours)
+    surface.blit(sprite, sprite.get_rect(center=rect.center))
 
 
 def _sprite(scene, size, colours):

@@ -40,6 +40,8 @@ from game.world.scenes.scene import Scene
 
 VERSION = 1
 THRESHOLD = Knob("threshold", 0.5, 0.02, 1.0, "", "how bright a picture must be to become sand; half of it: walls")
+LEVELS = 256  # of brightness
+OPAQUE = 128  # of 255: what is more transparent is air
 LUMA = np.array([0.299, 0.587, 0.114], np.float32)  # how bright red, green and blue look (ITU-R BT.601)
 PURE = 0.98  # part of the pixels that must be near the colours of cells for a picture to count as drawn cells
 NEAR = 24  # of 255: how far a colour may be from a cell's in each channel; what saving as JPEG does to flat colours
@@ -92,6 +94,14 @@ def picture_bytes(session):
     return file.getvalue()
 
 
+class PhotoFilling(NamedTuple):
+    """What a photo becomes under a rule: the names of materials."""
+
+    rule: Rule
+    bright: str  # where it is at least as bright as the threshold
+    between: str  # … and as half of it; what is darker becomes air
+
+
 @dataclass(frozen=True)
 class Photo:
     """A picture that was not drawn of cells: how bright is sand is a matter of taste."""
@@ -99,16 +109,43 @@ class Photo:
     path: Path
     pixels: np.ndarray  # (H, W, 4) uint8, no larger than LARGEST_PHOTO
 
-    def picture(self, threshold=THRESHOLD.default, in_colours=False):
+    @cached_property
+    def threshold(self):
+        """The threshold that parts the photo best into bright and dark, in the range of THRESHOLD.
+
+        Source: Otsu 1979, the greatest variance between two classes; for a photo of one brightness the usual one.
+        """
+        counts = np.zeros(LEVELS)
+        for rows in np.array_split(self.pixels, len(self.pixels) // 64 + 1):
+            shown = rows[..., 3] >= OPAQUE
+            counts += np.bincount(
+                np.minimum(_brightness(rows)[shown] * LEVELS, LEVELS - 1).astype(int), minlength=LEVELS
+            )
+        below = np.cumsum(counts)
+        sums = np.cumsum(counts * np.arange(LEVELS))
+        above = below[-1] - below
+        with np.errstate(invalid="ignore", divide="ignore"):
+            between = below * above * (sums / below - (sums[-1] - sums) / above) ** 2
+        between = np.nan_to_num(between)
+        if not between.any():
+            return THRESHOLD.default
+        return float(np.clip((np.argmax(between) + 1) / LEVELS, THRESHOLD.low, THRESHOLD.high))
+
+    def picture(self, threshold=None, in_colours=False, filling=None):
         """Return the SeededScene with sand where the photo is at least that bright, walls down to half of it.
 
-        in_colours: each grain has the dye that looks most like the photo there, instead of all one colour.
+        threshold: that of the photo if left out. in_colours: each grain has the dye that looks most like the photo
+        there, instead of all one colour. filling: a PhotoFilling, for cells of another rule than sand's.
         """
-        level = THRESHOLD.check(threshold)
-        materials = _by_rows(self.pixels, lambda rows: _by_brightness(rows, level))
-        if in_colours:
+        level, settings = THRESHOLD.check(self.threshold if threshold is None else threshold), _told(self.path, None)
+        bright, between = SAND, WALL
+        if filling:
+            bright, between = (filling.rule.codes.code(name) for name in (filling.bright, filling.between))
+            settings = settings._replace(fields=settings.fields | {"rule": filling.rule})
+        materials = _by_rows(self.pixels, lambda rows: _by_brightness(rows, level, bright, between))
+        if in_colours and not filling:
             materials = np.where(materials == SAND, self._dyed, materials)
-        return _scene(self.path, materials, 0, _told(self.path, None))
+        return _scene(self.path, materials, 0, settings)
 
     @cached_property
     def _dyed(self):
@@ -217,10 +254,15 @@ def _by_rows(pixels, materials_of):
     return np.concatenate([materials_of(rows) for rows in np.array_split(pixels, len(pixels) // 64 + 1)])
 
 
-def _by_brightness(pixels, threshold):
-    bright = pixels[..., :3].astype(np.float32) @ LUMA / 255
-    materials = np.where(bright >= threshold, SAND, np.where(bright >= threshold / 2, WALL, EMPTY)).astype(np.uint8)
-    materials[pixels[..., 3] < 128] = EMPTY
+def _brightness(pixels):
+    """Return how bright pixels look, 0 … 1."""
+    return pixels[..., :3].astype(np.float32) @ LUMA / 255
+
+
+def _by_brightness(pixels, threshold, bright, between):
+    seen = _brightness(pixels)
+    materials = np.where(seen >= threshold, bright, np.where(seen >= threshold / 2, between, EMPTY)).astype(np.uint8)
+    materials[pixels[..., 3] < OPAQUE] = EMPTY
     return materials
 
 

@@ -12,6 +12,7 @@ import pygame
 import pytest
 from PIL import Image
 
+from game import load_rule
 from game.play.app import App
 from game.play.pages import saved_scenes
 from game.play.storage import open_sessions, recorder
@@ -307,6 +308,22 @@ def test_a_photo_is_looked_at_before_it_is_taken(player, tmp_path):
     sand = player.session.scene.sand
     assert not player.parts.photo_import.shown and player.session.scene.shape == (48, 64)
     assert 0 < sand.sum() < load_picture(tmp_path / "grey.png").scene.sand.sum()
+
+
+def test_a_photo_becomes_materials_of_the_rule_in_play(tmp_path):
+    player = Player("kitchen")
+    Image.fromarray(np.tile(np.arange(64, dtype=np.uint8) * 4, (48, 1))).save(tmp_path / "grey.png")
+    player.drop(tmp_path / "grey.png")
+    player.frame()
+    card = player.parts.photo_import.ui
+    player.click(card.rects["Bright is"].center)
+    player.click(card.parts("Bright is")[9].center)
+    player.click(card.rects["Use"].center)
+    player.settle()
+    world = player.world
+    assert world.shape == (48, 64) and world.codes == load_rule("alchemy").codes
+    row = [world.codes.names[code] for code in world.materials[7]]
+    assert row[0] == "air" and row[30] == "wall" and row[63] == "brine"
 
 
 def test_a_photo_put_in_place_of_many_cells_comes_after_a_picture_that_says_so(player, tmp_path, monkeypatch):

@@ -11,14 +11,16 @@ from hypothesis import HealthCheck, given, settings
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
-from game import Rule
+from game import Rule, load_rule
 from game.world.files import atomic
 from game.world.sand.sand_colours import COLOURS as NAMES
 from game.world.sand.sand_colours import DYED
 from game.world.scenes import picture_pixels
 from game.world.scenes.cell_arrays import SAND_PALETTE
 from game.world.scenes.picture_file import (
+    THRESHOLD,
     Photo,
+    PhotoFilling,
     PictureError,
     nearest_dyes,
     open_picture,
@@ -166,6 +168,38 @@ def test_a_photo_in_colours_has_the_dye_that_each_grain_looks_like():
     plain = photo.picture(0.6).scene
     coloured = photo.picture(0.6, in_colours=True).scene
     assert plain.colours is None and (plain.sand == coloured.sand).all() and (plain.walls == coloured.walls).all()
+
+
+def grey(levels):
+    """Return a photo of grey levels, (H, W) of 0 … 255."""
+    return Photo(
+        Path("photo.png"), np.dstack([np.asarray(levels, np.uint8)] * 3 + [np.full(np.shape(levels), 255, np.uint8)])
+    )
+
+
+@pytest.mark.parametrize(("dark", "light"), [(20, 90), (120, 250), (200, 255), (3, 9)])
+def test_a_photo_begins_with_the_threshold_that_parts_dark_from_light(dark, light):
+    generator = np.random.default_rng(8)
+    is_light = generator.random((40, 60)) < 0.3
+    levels = np.where(is_light, light, dark) + generator.integers(-2, 3, is_light.shape)
+    photo = grey(np.clip(levels, 0, 255))
+    assert (dark + 2) / 256 <= photo.threshold <= (light - 1) / 256 or photo.threshold == THRESHOLD.low
+    assert (photo.picture().scene.sand == is_light).all() or photo.threshold == THRESHOLD.low
+
+
+def test_a_photo_of_one_brightness_begins_with_the_usual_threshold():
+    assert grey(np.full((9, 9), 77)).threshold == THRESHOLD.default
+    clear = grey(np.arange(81).reshape(9, 9))
+    clear.pixels[..., 3] = 0
+    assert clear.threshold == THRESHOLD.default and not clear.picture().scene.cells.any()
+
+
+def test_a_photo_becomes_the_materials_that_are_chosen_for_bright_and_half_as_bright():
+    rule = load_rule("alchemy")
+    photo = grey(np.repeat([[10, 120, 250]], 4, axis=0))
+    scene = photo.picture(0.8, filling=PhotoFilling(rule, "water", "plant")).scene
+    names = [rule.materials[code] for code in scene.world().materials[0]]
+    assert names == ["air", "plant", "water"] and scene.rule == rule
 
 
 @pytest.mark.parametrize(
