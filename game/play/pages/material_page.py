@@ -32,8 +32,10 @@ class MaterialPage:
     def toggle(self):
         """Open the page of the brush's material, or close it."""
         self.shown, self._shaded = not self.shown, False
-        self._ui = Ui(self._display.theme)
-        if not self.shown:
+        if self.shown:
+            self._ui = Ui(self._display.theme)
+            self._hear([], self._display.now_s, None)  # it may be drawn before it hears of anything
+        else:
             self._display.lay_out_anew()
 
     def forget(self):
@@ -50,13 +52,18 @@ class MaterialPage:
         if beside or any(each.type == pygame.KEYDOWN and each.key == pygame.K_ESCAPE for each in events):
             self.toggle()
             return []
+        rest = self._hear(events, now_s, mouse_pos)
+        pointer = pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEWHEEL, pygame.MOUSEMOTION
+        return [each for each in rest if each.type not in pointer]
+
+    def _hear(self, events, now_s, mouse_pos):
+        """Lay out the page with what it is told; return the events that it leaves to others."""
         self._ui.theme = self._display.theme
         self._place()
         rest = self._ui.begin(self._rect, events, now_s, mouse_pos)
         if self._lay_out(self._ui):
             self.toggle()
-        pointer = pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEWHEEL, pygame.MOUSEMOTION
-        return [each for each in rest if each.type not in pointer]
+        return rest
 
     def draw(self, surface):
         """Draw the page where it looks different; return the rects that changed."""
@@ -84,9 +91,7 @@ class MaterialPage:
         told, swatches = rule.definition, swatches_of(ui.theme.colours, rule.definition.materials)
         names = [name for name in self._brush.materials if name in rule.codes.told]
         name = self._brush.material if self._brush.material in names else names[0]
-        ui.row(2)
         ui.heading(f"What {name} does")
-        closed = ui.button("Close", key="Esc", tip="Goes back to the sand")
         colours = [swatches[rule.codes.told.index(each)] for each in names]
         labels, index = [each.capitalize() for each in names], names.index(name)
         tips = [f"Shows what {each} does, and paints with it" for each in names]
@@ -100,7 +105,7 @@ class MaterialPage:
             _show(ui, each, swatches)
         if not found:
             ui.text(STILL if told.materials[code].kind == "solid" else ALONE)
-        return closed
+        return ui.button("Close", key="Esc", tip="Goes back to the sand")
 
 
 def _show(ui, reaction, swatches):

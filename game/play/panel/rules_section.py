@@ -7,6 +7,8 @@ from game.world.rules.dials import dials_of
 from game.world.rules.rule import PROBABILITIES, SAND, SCHEDULES, Rule
 from game.world.sand import parameters
 
+RARE = 0.05  # below it a chance has a slider of its own length, or no hand could set it
+SPAN = 20  # the length of that, in usual values
 PAPER_P = (0.25, 0.5, 0.75, 1.0)  # the four values of the paper
 SCHEDULE_TIP = (
     "The order in which the partitions into blocks take turns. Margolus: two partitions; piles grow on one side first. "
@@ -77,7 +79,11 @@ class RulesSection:
         tip = f"How likely it is in a block where it can happen: {dial.event}."
         words = label or dial.label
         name = knob.name if "." in knob.name else words
-        turned = ui.slider_with_picture(words, knob, value, before, after, default=default, tip=tip, name=name)
+        if 0 < default < RARE and value <= SPAN * default:
+            knob = replace(knob, high=SPAN * default)
+        turned = ui.slider_with_picture(
+            words, knob, value, before, after, default=default, tip=tip, name=name, spell="{:.3g}".format
+        )
         if turned != value:
             self._changes.turn(knob.name, turned, join=self._turning)
             self._turned = True

@@ -5,11 +5,12 @@ from functools import partial
 from pathlib import Path
 
 from game.world.files.atomic import FileError
+from game.world.files.checked_table import read_text
 from game.world.files.paths import folder_of
 from game.world.rules.definition import load_definition, read_definition, rule_names, rule_title
 from game.world.rules.own_rules import copy_rule, own_rules
 from game.world.rules.rule import Rule
-from game.world.rules.rule_text import RuleError
+from game.world.rules.rule_text import LARGEST_FILE, RuleError
 
 POLL_S = 0.25  # from one look at the files to the next; a change is read once it is the same for two looks
 
@@ -74,7 +75,8 @@ class RuleFiles:
         files = told.paths or ((self._own[told.name],) if told.name in self._own else ())
         states = tuple(map(_state, files))
         if files != self._watched:
-            self._watched, self._known, self._last = files, states, states
+            self._watched, self._last = files, states
+            self._known = states if _say(told.paths, told.texts) else None
         elif states != self._known and states == self._last and all(states):
             self._known = states
             self._read_anew(files[0])
@@ -101,6 +103,14 @@ def _state(path):
     except OSError:
         return None
     return found.st_mtime_ns, found.st_size, found.st_ino
+
+
+def _say(paths, texts):
+    """Return whether files, if there are any, say what was read there: one may have been changed since."""
+    try:
+        return all(read_text(path, LARGEST_FILE) == text for path, text in zip(paths, texts, strict=False))
+    except FileError:
+        return False
 
 
 def _read_anew(path, rule):
