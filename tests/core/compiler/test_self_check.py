@@ -1,5 +1,6 @@
 """The self-check sees whatever a pass does otherwise than its table says, be it in one block state of all."""
 
+import re
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +11,7 @@ from game.core.compiler.machine_code import MachineCode, lanes
 from game.core.compiler.plan import kinds_of, plan
 from game.core.compiler.vector_ir import NAME, source
 from game.core.rule_table import CERTAIN
+from game.world.rules.rule import SAND
 from tests.core.compiler.rules import random_table
 
 CHANCES = (0.5, 0.25, 0.7, 0.3, 0.125, 0.0)
@@ -21,11 +23,11 @@ def made():
     return compiled(random_table(np.random.default_rng(92), 2))
 
 
-def compiled(table):
-    """Return a table, its plan, its kinds and its code."""
-    kinds = kinds_of(table, CHANCES)
+def compiled(table, change_plan=lambda gates: gates, change_text=lambda text: text):
+    """Return a table, its plan, its kinds and its code, which may be made wrong on the way."""
+    kinds = kinds_of(table, (*CHANCES, 1.0)[: len(table.slots)])
     gates = plan(table, kinds)
-    return table, gates, kinds, MachineCode(source(gates, lanes(), 2), NAME)
+    return table, gates, kinds, MachineCode(change_text(source(change_plan(gates), lanes(), 2)), NAME)
 
 
 def agrees(made, table=None):
@@ -49,12 +51,12 @@ def changes(table):
             moving = [place for place in free if outcome.after[place] != claim.states[place]]
             if moving:
                 still = outcome.after.copy()
-                still[moving[0]] = claim.states[moving[0]]
+                still[moving[-1]] = claim.states[moving[-1]]
                 other = replace(claim, outcomes=(replace(outcome, after=still), *claim.outcomes[1:]))
                 yield "stays as it is", with_claim(table, number, at, [other])
             if len(free) and len(claim.states) > 1:
-                rest = [replace(each, after=np.delete(each.after, free[0])) for each in claim.outcomes]
-                other = replace(claim, states=np.delete(claim.states, free[0]), outcomes=tuple(rest))
+                rest = [replace(each, after=np.delete(each.after, free[-1])) for each in claim.outcomes]
+                other = replace(claim, states=np.delete(claim.states, free[-1]), outcomes=tuple(rest))
                 yield "has no event", with_claim(table, number, at, [other])
         for claim in layer:
             decided[claim.states] |= CERTAIN in [each.slot for each in claim.outcomes]
@@ -77,6 +79,17 @@ def test_one_block_state_that_goes_otherwise_is_seen(made):
     assert not any(seen_as_right for _, seen_as_right in found)
 
 
+def test_states_with_the_highest_numbers_are_looked_at_as_well():
+    of_three_bits = compiled(random_table(np.random.default_rng(92), 3))
+    table = of_three_bits[0]
+    claim = max(table.layers[0], key=lambda claim: CHANCES[claim.outcomes[0].slot] and claim.states[-1])
+    low = claim.states < np.median(claim.states)
+    kept = tuple(replace(each, after=each.after[low]) for each in claim.outcomes)
+    at = table.layers[0].index(claim)
+    other = with_claim(table, 0, at, [replace(claim, states=claim.states[low], outcomes=kept)])
+    assert claim.states[~low].min() > table.states // 4 and not agrees(of_three_bits, other)
+
+
 def test_layers_in_another_order_are_seen(made):
     layers = [
         [replace(claim, outcomes=(replace(claim.outcomes[0], slot=0),)) for claim in layer] for layer in made[0].layers
@@ -93,3 +106,24 @@ def test_faces_the_other_way_round_are_seen(made):
         for layer in made[0].layers
     ]
     assert not agrees(made, with_layers(made[0], layers))
+
+
+def test_what_belongs_to_a_cell_and_does_not_follow_it_is_seen():
+    def staying(gates):
+        still = [layer._replace(moves=[{} for _ in layer.moves]) for layer in gates.layers]
+        return gates._replace(layers=tuple(still))
+
+    assert agrees(compiled(SAND.table)) and not agrees(compiled(SAND.table, change_plan=staying))
+
+
+@pytest.mark.parametrize("number", range(4))
+def test_what_is_told_wrongly_is_seen(made, number):
+    wrong = compiled(made[0], change_text=lambda text: re.sub(r"ret i64 %v\d+", f"ret i64 {number}", text))
+    assert agrees(wrong) == (number == 3), "all states together have events, and some happen"
+
+
+def test_blocks_that_are_to_take_no_part_and_do_are_seen(made):
+    load = r"(%v\d+) = getelementptr i64, ptr %may, i64 %i\n +(%v\d+) = load (<\d+ x i64>), ptr .*"
+    ones = f"<{', '.join(['i64 -1'] * lanes())}>"
+    wrong = compiled(made[0], change_text=lambda text: re.sub(load, rf"\2 = xor \3 zeroinitializer, {ones}", text))
+    assert not agrees(wrong)
