@@ -22,7 +22,7 @@ class StartScene(NamedTuple):
 
 def scene_start(scene):
     """Return the StartScene of a Scene."""
-    left_out = [f"{len(scene.fixtures)} taps and drains"] if scene.fixtures else []
+    left_out = ["its taps and drains"] if scene.fixtures else []
     left_out += ["the colours of the sand"] if scene.coloured else []
     height, width = scene.shape
     return StartScene(scene.rule, scene.cells, f"the scene {scene.title}, {width}×{height} cells", tuple(left_out))

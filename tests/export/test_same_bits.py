@@ -157,6 +157,19 @@ def test_the_ends_of_a_chance_have_the_same_bits_in_c(p):
     assert copy.name() == world.digest()
 
 
+def test_bands_at_rest_wake_when_something_comes_to_them():
+    """Grains fall past a heap at rest; then it has its floor taken away. The lattice has three bands."""
+    rule, cells = load_rule("sand").with_schedule("balanced"), np.zeros((170, 3000), np.uint8)
+    cells[90, ::3], cells[80:90, 1500], cells[0, 1::60] = 2, 1, 1
+    world, copy = World.from_materials(cells, rule, 8), library("sand", builds()[0]).world(cells, 8, rule.schedule)
+    for x, y, code in ((1501, 30, 1), (1500, 90, 0), (0, 0, 1)):
+        advance(world, rule, 250)
+        assert copy.step(250) == 0 and world.activity.settled
+        assert copy.name() == world.digest()
+        world.stroke((x + 0.5, y + 0.5), (x + 0.5, y + 0.5), 5, ROUND, Ink(code))
+        copy.disc(x, y, 5, code)
+
+
 def rule_of(text, folder):
     """Return a rule and its Library."""
     path = folder / "own.toml"
