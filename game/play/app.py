@@ -137,7 +137,7 @@ class App:
         session = self.parts.sessions.now
         frame = FrameTime(work_ns, own_work_ns, self.parts.frame_step.moving_ns, session.due, session.done)
         self.parts.frame_stats.count(frame, session, now_s)
-        self.parts.status_line.update(session)
+        self.parts.status_line.update(session, self.parts.brush.material)
 
     def _fit(self):
         """Lay everything out, after the window or the lattice changed its size or what it looks like."""

@@ -20,6 +20,7 @@ class Subject(NamedTuple):
     scene: object
     rule: object
     ahead: int  # iterations
+    of: str  # the material
     box: CropBox
     exact: bool  # whether what lies around the box cannot matter
 
@@ -32,6 +33,7 @@ class Forecasting:
         self.legend = Legend(sessions, display, pointer)
         self.thread = ForecastThread()
         self.ahead = parameters.AHEAD.default  # iterations
+        self._of = None  # the name of the material that was chosen
         self.answer = None  # the Forecast that is shown
         self.stale = False  # the answer has not been about the present subject for a while
         self._requested = None  # (Subject, iteration) of the last request
@@ -41,6 +43,21 @@ class Forecasting:
     def shown(self):
         """Whether it is wanted."""
         return self._display.legend_shown
+
+    @property
+    def materials(self):
+        """The names of the materials that can be forecast."""
+        codes = self._sessions.now.rule.codes
+        return tuple(dict.fromkeys(codes.told[code] for code in sorted(codes.filled)))
+
+    @property
+    def of(self):
+        """The material that is forecast: the one that was chosen, or the usual one of a world that has not that."""
+        return self._of if self._of in self.materials else self._sessions.now.rule.codes.usual
+
+    @of.setter
+    def of(self, name):
+        self._of = name
 
     def toggle(self):
         """Show the forecast, or no longer."""
@@ -70,13 +87,13 @@ class Forecasting:
         (left, top), (right, bottom) = view.place(area.left, area.top), view.place(area.right, area.bottom)
         sight = CropBox.within(shape, math.floor(top), math.floor(left), math.ceil(bottom), math.ceil(right))
         box, exact = forecast_box(shape, sight, self.ahead, MOST_CELLS)
-        return Subject(session.timeline.history.line, session.scene, session.rule, self.ahead, box, exact)
+        return Subject(session.timeline.history.line, session.scene, session.rule, self.ahead, self.of, box, exact)
 
     def _request(self, subject, now_s):
         world, before = self._sessions.now.world, self._requested
         self._requested = subject, world.iteration
         crop, runs = Crop(world, subject.box), parameters.RUNS.default
-        request = ForecastRequest(crop, subject.rule, subject.ahead, runs, about=(subject, now_s))
+        request = ForecastRequest(crop, subject.rule, subject.ahead, runs, subject.of, about=(subject, now_s))
         self.thread.ask(request, hurry=before is None or before[0] != subject)
 
     def _take(self, subject, now_s):

@@ -60,7 +60,7 @@ class Legend:
         session, request = self._sessions.now, answer.request
         ago = session.world.iteration - request.crop.iteration
         lines = [
-            f"Sand at iteration {session.now - ago + request.ahead:,}",
+            f"{request.of.capitalize()} at iteration {session.now - ago + request.ahead:,}",
             _accuracy(answer),
             f"{_iterations(request.ahead)} ahead",
             f"Computed {_iterations(ago)} ago" if ago else "Computed now",

@@ -27,10 +27,16 @@ class ShowSection:
 
     def _lay_out_forecast(self, ui):
         forecasting = self._forecasting
-        tip = "How likely each cell is to hold sand some iterations from now, from many runs  (H)"
+        tip = "How likely each cell is to hold a material some iterations from now, from many runs  (H)"
         if ui.toggle("Forecast", forecasting.shown, tip=tip) != forecasting.shown:
             forecasting.toggle()
         if forecasting.shown:
+            names = forecasting.materials
+            if len(names) > 1:
+                labels, now = [name.capitalize() for name in names], names.index(forecasting.of)
+                forecasting.of = names[
+                    ui.choice("Of", labels, now, tip="Which material is forecast", name="Forecast of")
+                ]
             forecasting.ahead = ui.slider(
                 "Ahead", parameters.AHEAD, forecasting.ahead, log=True, tip="How many iterations from now"
             )
@@ -50,10 +56,10 @@ class ShowSection:
 
     def _lay_out_plots(self, ui):
         plots = self._plots
-        tip = "Flow past a row, grains above and below it, the pile, frame times, and the account of the grains  (L)"
+        tip = "What the sand does: flow and pile, or how much there is of each material, and the account of it all  (L)"
         if ui.toggle("Plots", plots.shown, tip=tip) != plots.shown:
             plots.toggle()
-        if plots.shown:
+        if plots.shown and self._sessions.now.rule.codes.is_sand:
             height = self._sessions.now.world.shape[0]
             tip = "The row at which flow is measured: the neck of the glass, or else the middle, unless you move it"
             row = ui.slider(
@@ -66,5 +72,6 @@ class ShowSection:
             )
             if row != plots.measured_row:
                 plots.measured_row = row
-            if ui.button("Save as CSV", key="Shift+L", tip="Saves what was measured since the plots were opened"):
-                plots.save()
+        tip = "Saves what was measured since the plots were opened"
+        if plots.shown and ui.button("Save as CSV", key="Shift+L", tip=tip):
+            plots.save()

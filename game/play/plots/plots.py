@@ -8,8 +8,10 @@ import pygame
 
 from game.play.plots import charts
 from game.play.plots.audit_card import card, heights, widths
+from game.play.plots.material_cards import amounts_card, books_card
 from game.play.ui import draw_list
 from game.play.ui import theme as look
+from game.play.view.swatches import swatches_of
 from game.world.files.atomic import save_as_new
 from game.world.files.paths import numbered, save_new
 from game.world.sand.sand_colours import COLOURS
@@ -20,7 +22,6 @@ SAMPLE_S = 0.25
 SHARE = 50  # sampling may take one part in 50 of the time; on a huge lattice it is done less often
 LONGEST_S = 5.0  # … but not for longer than this
 GAP = 6  # pixels at scale 1 between cards
-CARDS = 5
 LEAST_CARD = 144  # pixels at scale 1: width of a card whose title and value have room
 MOST_AUDIT = 0.44  # of the cards' length, that the audit of coloured sand may take
 
@@ -128,10 +129,10 @@ class Plots:
 
     def _strokes(self, area):
         px = self._display.theme.px
-        cards = (self._flow, self._filling, self._pile, self._frames, self._audit)
+        cards = self._cards()
         strokes = [(draw_list.fill, tuple(area), look.SUNKEN)]
         tall = area.height > area.width
-        edges = self._edges(area.height if tall else area.width, tall)
+        edges = self._edges(area.height if tall else area.width, tall, len(cards))
         for each, (start, end) in zip(cards, pairwise(edges), strict=True):
             if tall:
                 rect = pygame.Rect(area.x, area.y + start, area.width, end - start)
@@ -140,20 +141,41 @@ class Plots:
             strokes += each(rect.inflate(-px(GAP), -px(GAP)))
         return strokes
 
-    def _edges(self, length, tall):
+    def _cards(self):
+        """Return the functions that draw the cards: of sand how it flows and lies, of others how much there is."""
+        if self._sessions.now.rule.codes.is_sand:
+            return self._flow, self._filling, self._pile, self._frames, self._audit
+        return self._amounts, self._books, self._frames, self._audit
+
+    def _amounts(self, rect):
+        rule, names = self._sessions.now.rule, {}
+        for code in sorted(rule.codes.filled):
+            names.setdefault(rule.codes.told[code], []).append(code)
+        samples = [(each.now, each.amounts) for each in self.measurements.samples]
+        colours = swatches_of(self._display.theme.colours, rule.definition.materials)
+        return amounts_card(self._display.theme, rect, samples, names, colours)
+
+    def _books(self, rect):
+        session = self._sessions.now
+        books = [(each.words, sorted(each.codes)) for each in session.rule.definition.books if not each.but]
+        return books_card(self._display.theme, rect, session.account, session.world.amounts, books)
+
+    def _edges(self, length, tall, count):
         """Return where the cards begin and end along the area; the audit of coloured sand may take more than others."""
-        account, audit = self._sessions.now.account, length // CARDS
+        account, audit = self._sessions.now.account, length // count
         if account.mixed:
             theme, gap = self._display.theme, self._display.theme.px(GAP)
             most = round(MOST_AUDIT * length)
             if not tall:
-                most = min(most, length - (CARDS - 1) * theme.px(LEAST_CARD))
+                most = min(most, length - (count - 1) * theme.px(LEAST_CARD))
             wanted = (
                 heights(theme, account) if tall else widths(theme, account, self._display.layout.plots.height - gap)
             )
             audit = max(audit, next((side + gap for side in wanted if side + gap <= most), most))
         rest = length - audit
-        return [*(rest * number // (CARDS - 1) for number in range(CARDS)), length]
+        parts = count - 1 if self._sessions.now.rule.codes.is_sand else count  # the first of other cards has two
+        starts = (0, *range(parts - count + 2, parts + 1))
+        return [*(rest * start // parts for start in starts), length]
 
     def _flow(self, rect):
         flows = self.measurements.flows()
@@ -208,7 +230,7 @@ class Plots:
         if session.rule.codes.is_sand:
             swatches = [theme.colours.swatch(number) for number in range(len(COLOURS))]
         else:
-            swatches = [each.colour for each in materials]
+            swatches = swatches_of(theme.colours, materials)
         amounts = session.world.amounts
         return card(theme, rect, session.account.met(amounts), amounts, swatches)
 

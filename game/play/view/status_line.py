@@ -19,13 +19,13 @@ class StatusLine:
         self._pace = self._grains = ""
         self._alarm = False  # something is to be noticed
 
-    def update(self, session):
-        """Write the words anew, if there is a new reading."""
+    def update(self, session, material):
+        """Write the words anew, if there is a new reading; material: the one to tell of, where there are several."""
         reading, grains, account = self._stats.reading, self._stats.grains, self._stats.account
         if reading is self._written:
             return
         self._written, balanced = reading, account.agrees(grains)
-        self._pace, self._grains = _pace(reading, session), _grains(grains, account)
+        self._pace, self._grains = _pace(reading, session), _told(grains, account, session.rule.codes, material)
         self._alarm = (reading.full and not session.paused) or not balanced
 
     def drawing(self, theme, rect, session, said="", aside="", notice=None, badge=None):
@@ -97,12 +97,21 @@ def _pace(reading, session):
     return counted(speed if near else reading.done, "iteration") + " a second"
 
 
-def _grains(now, account):
-    """Return how many grains there are, and what is wrong where the account, by kind like them, tells of others."""
-    said = counted(sum(now), "grain")
+def _told(now, account, codes, material):
+    """Return how much there is, and what is wrong where the account, by kind like it, tells of something else."""
+    if codes.is_sand:
+        said = counted(sum(now), "grain")
+    elif material in codes.told and material != codes.names[codes.wall]:
+        said = f"{counted(sum(now[code] for code in codes.codes_of(material)), 'cell')} of {material}"
+    else:
+        said = counted(sum(now), "cell")
     if account.agrees(now):
         return said
-    wrong = f"but {account.expected:,} in the account" if sum(now) != account.expected else "of wrong colours"
+    wrong = (
+        f"but {account.expected:,} in the account"
+        if sum(now) != account.expected
+        else f"of wrong {'colours' if codes.is_sand else 'materials'}"
+    )
     return f"{said}, {wrong}"
 
 

@@ -244,3 +244,37 @@ def test_a_window_that_has_become_too_small_for_the_plots_says_so(glass):
     glass.key(pygame.K_l, "l")
     glass.wait(2)
     assert "too small" not in (glass.parts.notices.text or "")
+
+
+def test_a_world_of_several_materials_shows_each_with_its_name_number_and_colour_and_the_sums_it_keeps():
+    player = Player("aquarium")
+    player.parts.brush.material = "water"
+    player.parts.commands.give("view.toggle_plots")
+    player.wait(40)
+    player.hold_time()
+    player.wait(40)
+    world, written = player.world, player.words()
+    amounts = dict(zip(world.codes.names, world.amounts, strict=True))
+    for name in ("sand", "water", "oil"):
+        assert f"{amounts[name]:,}" in written and name in written
+    start = player.session.account.start_by_kind[world.codes.code("oil")]
+    assert f"{start:,} + 0 – 0 = {start:,}" in written and "each to the cell" in written
+    assert f"{amounts['water']:,} cells of water" in written
+    pygame.display.quit()
+
+
+def test_the_forecast_of_any_material_is_chosen_and_named():
+    player = Player("aquarium")
+    player.hold_time()
+    player.parts.commands.give("view.toggle_forecast")
+    player.frame()
+    assert player.parts.forecasting.of == "sand"
+    player.parts.forecasting.of = "oil"
+    player.parts.forecasting.ahead = 1
+    while not (player.parts.forecasting.answer and player.parts.forecasting.answer.request.of == "oil"):
+        player.frame(elapsed_ns=0)
+        pygame.time.wait(5)
+    player.wait(20)
+    assert "Oil at iteration" in player.words()
+    player.parts.close()
+    pygame.display.quit()

@@ -1,0 +1,86 @@
+"""The cards of worlds of several materials: how much there is of each, and the sums that their rule keeps."""
+
+import pygame
+
+from game.play.plots import charts
+from game.play.ui import draw_list
+from game.play.ui import theme as look
+
+SWATCH = 9  # pixels at scale 1
+ENTRY = 104  # the least width of a name with its number
+MOST_LEGEND = 0.5  # of the card's height, that names may take
+BOOKS = "each to the cell"
+
+
+def amounts_card(theme, rect, samples, names, colours):
+    """Return the strokes of the card of the amounts of materials against time.
+
+    samples: of (iteration, cells of each material). names: {name: the codes that are counted as it}. colours: by code.
+    """
+    series = {
+        name: ([sum(amounts[code] for code in codes) for _, amounts in samples], colours[codes[0]])
+        for name, codes in names.items()
+    }
+    series = {name: each for name, each in series.items() if any(each[0])}
+    order = sorted(series, key=lambda name: -series[name][0][-1])
+    strokes, room = charts.card(theme, rect, "Cells of each material", "")
+    legend, room = _legend(theme, room, [(name, series[name][0][-1], series[name][1]) for name in order])
+    high = charts.round_up(max([1, *(max(numbers) for numbers, _ in series.values())]))
+    figures, room = charts.scale(theme, room, [(high, charts.figure(high)), (0, "0")], 0, high)
+    nows = [now for now, _ in samples]
+    return strokes + legend + figures + charts.curves(room, nows, list(series.values()), 0, high)
+
+
+def _legend(theme, room, entries):
+    """Return the strokes of names, numbers and colours, as many as have room, and the rect left below them."""
+    px, high = theme.px, theme.line_height(look.SMALL)
+    across = max(1, room.width // px(ENTRY))
+    rows = min(-(-len(entries) // across), max(1, int(MOST_LEGEND * room.height) // high))
+    wide, side, strokes = room.width // across, px(SWATCH), []
+    for number, (name, amount, colour) in enumerate(entries[: rows * across]):
+        down, right = divmod(number, across)
+        place = pygame.Rect(room.x + right * wide, room.y + down * high, wide - px(6), high)
+        strokes.append((draw_list.box, (place.x, place.centery - side // 2, side, side), colour, px(2)))
+        figure = f"{amount:,}"
+        words = pygame.Rect(place.x + side + px(4), place.y, place.width - side - px(4), high)
+        strokes.append((draw_list.words, tuple(words), figure, look.SMALL, look.TEXT, 1))
+        words.width -= theme.width(f" {figure}", look.SMALL)
+        strokes.append((draw_list.words, tuple(words), name, look.SMALL, look.DIM, 0))
+    top = rows * high + px(4)
+    return strokes, pygame.Rect(room.x, room.y + top, room.width, max(1, room.height - top))
+
+
+def books_card(theme, rect, account, amounts, books):
+    """Return the strokes of the card of the sums that no event may change; books: of (words, codes)."""
+    lines = [(words, *_sum(account, codes), sum(amounts[code] for code in codes)) for words, codes in books]
+    right = all(start + came - gone == now for _, start, came, gone, now in lines)
+    strokes, room = charts.card(theme, rect, "Conserved", BOOKS if right and lines else "" if right else "not kept")
+    high = theme.line_height(look.SMALL)
+    if not lines:
+        lines_of_text = theme.lines("This rule keeps no sum without exception.", look.SMALL, room.width)
+        return strokes + [
+            (draw_list.words, (room.x, room.y + number * high, room.width, high), text, look.SMALL, look.DIM, 0)
+            for number, text in enumerate(lines_of_text)
+        ]
+    top = room.y
+    for words, start, came, gone, now in lines:
+        spelt = f"{start:,} + {came:,} – {gone:,} = {start + came - gone:,}"
+        spelt += "" if start + came - gone == now else f", but {now:,} are there"
+        one = theme.width(f"{words}  {spelt}", look.SMALL) <= room.width
+        if top + high * (1 if one else 2) > room.bottom:
+            break
+        strokes.append((draw_list.words, (room.x, top, room.width, high), words, look.SMALL, look.DIM, 0))
+        top += 0 if one else high
+        strokes.append((draw_list.words, (room.x, top, room.width, high), spelt, look.SMALL, look.TEXT, 1))
+        top += high
+    return strokes
+
+
+def _sum(account, codes):
+    """Return how much of some materials there was at the start, has been put in, and has been taken out."""
+    tallies = (
+        (account.start_by_kind,),
+        (account.painted_by_kind, account.poured_by_kind),
+        (account.erased_by_kind, account.swallowed_by_kind),
+    )
+    return tuple(sum(tally[code] for tally in group for code in codes if code < len(tally)) for group in tallies)
