@@ -23,17 +23,17 @@ def made():
     return compiled(random_table(np.random.default_rng(92), 2))
 
 
-def compiled(table, change_plan=lambda gates: gates, change_text=lambda text: text):
-    """Return a table, its plan, its kinds and its code, which may be made wrong on the way."""
+def compiled(table, change_plan=lambda gates: gates, change_text=lambda text: text, payload=2):
+    """Return a table, its plan, its kinds, its code, which may be made wrong on the way, and the bits of payload."""
     kinds = kinds_of(table, (*CHANCES, 1.0)[: len(table.slots)])
     gates = plan(table, kinds)
-    return table, gates, kinds, MachineCode(change_text(source(change_plan(gates), lanes(), 2)), NAME)
+    return table, gates, kinds, MachineCode(change_text(source(change_plan(gates), lanes(), payload)), NAME), payload
 
 
 def agrees(made, table=None):
     """Return whether the code agrees with another table than the one it was made from, or with that."""
-    own, gates, kinds, code = made
-    return self_check.agrees(code.address, table or own, gates, kinds, 2, lanes())
+    own, gates, kinds, code, payload = made
+    return self_check.agrees(code.address, table or own, gates, kinds, payload, lanes())
 
 
 def with_layers(table, layers):
@@ -80,7 +80,7 @@ def test_one_block_state_that_goes_otherwise_is_seen(made):
 
 
 def test_states_with_the_highest_numbers_are_looked_at_as_well():
-    of_three_bits = compiled(random_table(np.random.default_rng(92), 3))
+    of_three_bits = compiled(random_table(np.random.default_rng(92), 3), payload=0)
     table = of_three_bits[0]
     claim = max(table.layers[0], key=lambda claim: CHANCES[claim.outcomes[0].slot] and claim.states[-1])
     low = claim.states < np.median(claim.states)
