@@ -42,6 +42,7 @@ from game.play.timer.glow import Glow
 from game.play.timer.run_out_planner import RunOutPlanner
 from game.play.timer.timer import RUNNING, Timer
 from game.play.ui.widgets import Ui
+from game.play.view.block_card import BlockCard
 from game.play.view.block_overlay import BlockOverlay
 from game.play.view.dialog import Dialog
 from game.play.view.display import Display
@@ -83,6 +84,7 @@ class Parts:
         self.status_line = StatusLine(self.frame_stats)
         self.stats_card = StatsCard(self.sessions, self.display, self.frame_stats)
         self.block_overlay = BlockOverlay(self.sessions, self.display, self.notices)
+        self.block_card = BlockCard(self.block_overlay, self.display, self.pointer)
         self.forecasting = Forecasting(self.sessions, self.display, self.pointer)
         self.plots = Plots(self.sessions, self.display, self.frame_stats, self.background, self.notices)
         self.dialog = Dialog(self.display)
@@ -140,11 +142,11 @@ class Parts:
         self.frame_step = FrameStep(sessions, display, self.settings, self.time_bar, self.rewind, pacers)
         self.renderer = Renderer(display)
         self.cards = self.photo_import, self.dialog  # the first lies on top
-        self.overlays = [self.glow, *self.cards[::-1]]
+        self.overlays = [self.glow, self.block_card, *self.cards[::-1]]
         hints = Hints(self.settings, sessions, display, notices)
         self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss, hints]
         self.watchers += [self.forecasting, self.plots, self.fast_forward, self.timer, self.glow]
-        self.watchers += [self.rule_change, self.rule_files]
+        self.watchers += [self.rule_change, self.rule_files, self.block_card]
 
     def _sections(self):
         """Return the sections of the panel, from top to bottom."""

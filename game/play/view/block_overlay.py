@@ -10,7 +10,7 @@ import numpy as np
 import pygame
 
 from game.play.ui import theme as look
-from game.world.sand.block_events import coming_events, happened, moves_between, offset
+from game.world.sand.block_events import block_at, coming_events, happened, moves_between, offset, told_events
 from game.world.sand.crop import CropBox
 
 LEAST_CELL = 8  # pixels: in smaller cells no arrow can be seen
@@ -63,6 +63,18 @@ class BlockOverlay:
         self._display.sand_view.blocks = self if known else None
         self._display.sand_view.refresh()
 
+    def told(self, column, row):
+        """Return what can happen in the block at a cell, and what has just happened there: two lists of lines."""
+        if not self._known or self.coming is None:
+            return [], []
+        world, _, _, rule, _ = self._known
+        coming = _events_at(self.coming, rule, block_at(world, rule, row, column))
+        lines = [f"{event.name} ({event.layer}): {_percent(p)}" for event, p in coming]
+        if self.trails is None:
+            return lines, []
+        block = block_at(world, rule, row, column, before=1)
+        return lines, [f"{event.name} ({event.layer})" for event, _ in _events_at(self.trails, rule, block, done=True)]
+
     def draw(self, surface, theme, view):
         """Draw them over the cells in sight, as far as the surface's clip goes."""
         cell, clip = view.cell, surface.get_clip()
@@ -92,6 +104,18 @@ class BlockOverlay:
         elif not before or before[:3] != known[:3]:
             self.trails = self.stays = None
         self.coming = coming_events(world, rule, part)
+
+
+def _events_at(events, rule, block, done=False):
+    """Return [(event, probability)] of the BlockEvents in a block; `done`: of those that have made it what it is."""
+    here = np.flatnonzero((events.rows == block[0]) & (events.columns == block[1]))
+    if not len(here):
+        return []
+    return told_events(rule, events.before[here[0]], events.after[here[0]] if done else None)
+
+
+def _percent(p):
+    return "always" if p >= 1.0 else f"{100 * p:.3g} %"
 
 
 def part_in_sight(view):

@@ -29,7 +29,7 @@ _KEYS = ("title", "notice", "schedule", "layers", "include", "materials", "any",
 _INCLUDED = ("layers", "any", "chances", "event")  # keys of a file that is included
 _known = WeakValueDictionary()  # (name, texts, paths): a definition in use; a file read again is not compiled again
 RESERVED = (  # names that no chance can have, as a rule has them
-    *("as_dict", "bias", "chances", "codes", "definition", "digest", "events_of", "is_sand", "leaning"),
+    *("as_dict", "bias", "chances", "codes", "definition", "digest", "events_of", "happening", "is_sand", "leaning"),
     *("leans", "materials", "name", "number", "offsets", "outcomes", "p", "probabilities", "rule", "schedule"),
     *("table", "texts", "values", "with_chances", "with_p", "with_schedule"),
 )

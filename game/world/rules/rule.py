@@ -155,6 +155,19 @@ class Rule:
         """Return the names of the events that can change a block (a, b, c, d) of codes: a frozenset."""
         return frozenset(self.definition.events[number].name for number, _, _ in self._changes_of(block))
 
+    def happening(self, block, after=None):
+        """Return [(event, probability)] of what can change a block of codes, or make just one other of it, as tried.
+
+        That of a layer is what the layers before it leave.
+        """
+        found = defaultdict(float)
+        for number, p, becomes in self._changes_of(block):
+            if after is None or becomes == after:
+                found[number] += p
+        events, layers = self.definition.events, self.definition.layers
+        order = sorted(found, key=lambda number: (layers.index(events[number].layer), number))
+        return [(events[number], found[number]) for number in order]
+
     def _changes_of(self, block):
         """Yield (number of the event, probability, block after) of all that can change a block, for either fair bit."""
         state = state_of(block, self.table.bits)

@@ -47,6 +47,19 @@ def coming_events(world, rule, box):
     return BlockEvents(*whole, chances)
 
 
+def block_at(world, rule, row, column, before=0):
+    """Return the (row, column) of the block that holds a cell in the coming iteration, or in one `before` it."""
+    x, y = rule.offsets[(world.iteration - before) % len(rule.offsets)]
+    return row - (row - y) % 2, column - (column - x) % 2
+
+
+def told_events(rule, state, after=None):
+    """Return [(event, probability)] of what can change a block, or make just one other of it."""
+    bits = rule.table.bits
+    ends = [None if each is None else tuple(int(code) for code in corners(each, bits)) for each in (state, after)]
+    return rule.happening(*ends)
+
+
 def can_change(world, rule, box):
     """Return whether a block that a CropBox touches can change, in any partition of the rule's and by any chance."""
     box = box.grown(2, world.shape)
@@ -97,7 +110,8 @@ def _events(rule, state):
 def moves_between(before, after, bits):
     """Return what moves between two states of a block: a tuple of (corner, corner), each (row, column).
 
-    Of a corner that takes what was nowhere else in the block both are the same: there it changed.
+    Of a corner that takes what was nowhere else in the block, or whose content is nowhere any more, both are the same:
+    there it changed.
     """
     old, new, found = corners(before, bits), corners(after, bits), []
     for corner in range(4):
@@ -106,7 +120,9 @@ def moves_between(before, after, bits):
         sources = [other for other in range(4) if old[other] == new[corner] != new[other]]
         sources.sort(key=lambda other: (corner ^ other != 2, corner ^ other != 3))  # from above, then across
         found.append((CORNERS[sources[0] if sources else corner], CORNERS[corner]))
-    return tuple(found)
+    left = {start for start, _ in found}
+    gone = [CORNERS[corner] for corner in range(4) if new[corner] == 0 != old[corner]]
+    return (*found, *((corner, corner) for corner in gone if corner not in left))
 
 
 def happened(events, world, box):

@@ -1,0 +1,60 @@
+"""The page of a material: opened from its swatch, it says what the rule says, in every window."""
+
+import pygame
+import pytest
+
+from tests.play.player import Player
+
+
+@pytest.fixture
+def player():
+    """Return a player of the kitchen, with time held and water in hand."""
+    player = Player("kitchen", size=(1280, 720))
+    player.hold_time()
+    player.parts.brush.material = "water"
+    player.wait(1)
+    yield player
+    pygame.display.quit()
+
+
+def press_swatch(player, name):
+    player.parts_of("Paint")
+    player.click(player.parts.panel.ui.parts("Paint")[player.parts.brush.materials.index(name)].center)
+
+
+def test_the_swatch_in_hand_pressed_again_shows_what_it_does_and_esc_goes_back(player):
+    press_swatch(player, "lava")
+    assert not player.parts.material_page.shown and player.parts.brush.material == "lava"
+    press_swatch(player, "lava")
+    assert player.parts.material_page.shown
+    player.key(pygame.K_ESCAPE)
+    assert not player.parts.material_page.shown
+
+
+@pytest.mark.parametrize("scale", [1, 2])
+@pytest.mark.parametrize("size", [(640, 480), (1280, 720)])
+def test_every_reaction_is_written_whole(player, size, scale):
+    player.parts.settings.override("ui_scale", scale)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    player.parts.material_page.toggle()
+    words = " ".join(player.words().split())
+    assert "With lava becomes stone and steam" in words and "water quenches lava (reactions)" in words
+    assert "0.8" in words and "It sinks in oil." in words
+
+
+def test_what_is_turned_is_what_the_page_says(player):
+    rule = player.session.rule
+    player.session.timeline.moment.rule = rule.with_chances(dissolve=0.875)
+    player.parts.material_page.toggle()
+    assert "0.875" in player.words()
+
+
+def test_the_sand_goes_back_to_what_it_was_when_the_page_is_closed(player):
+    before = pygame.surfarray.array2d(player.parts.window.surface).copy()
+    player.parts.material_page.toggle()
+    player.wait(2)
+    assert (pygame.surfarray.array2d(player.parts.window.surface) != before).any()
+    player.parts.material_page.toggle()
+    player.wait(2)
+    assert (pygame.surfarray.array2d(player.parts.window.surface) == before).all()
