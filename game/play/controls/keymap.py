@@ -71,7 +71,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("S W X", (pygame.K_s,), "sand.material sand", "sand, wall, eraser"),
         Key("", (pygame.K_w,), "sand.material wall", ""),
         Key("", (pygame.K_x,), "sand.material erase", ""),
-        Key(", Shift+,", (pygame.K_COMMA,), "sand.next_colour 1", "next, previous colour"),
+        Key(", Shift+,", (pygame.K_COMMA,), "sand.next_colour 1", "next, previous colour or material"),
         Key("", (pygame.K_COMMA,), "sand.next_colour -1", "", SHIFT),
         Key("1 … 9", (pygame.K_1, pygame.K_KP1), "sand.size 1", "brush of 1, 2, 3, 5, 8 … 55 cells"),
         *(Key("", (pygame.K_1 + more, pygame.K_KP1 + more), f"sand.size {more + 1}", "") for more in range(1, 9)),
