@@ -4,9 +4,14 @@ import math
 
 from game.play.controls.brush import SIZES
 from game.world.sessions.action import Clear, Flip, Load, SetRule, Turn
-from game.world.sessions.comparison import Comparison, present
+from game.world.sessions.comparison import Comparison, by_friction, by_schedule, by_seed, present
 
 TILT = 0.1  # of bias, by one press of a key
+SUBJECTS = {  # what a comparison can be of, in words
+    by_schedule: "under three schedules",
+    by_friction: "with the four values of p in the paper",
+    by_seed: "with three seeds",
+}
 
 
 class SandCommands:
@@ -49,9 +54,9 @@ class SandCommands:
         """Take all sand away."""
         self._sessions.slowly("Taking the sand away …", lambda: self._sessions.do(Clear()))
 
-    def compare(self):
-        """Show this world under all three schedules, from now on; again, go back to it as it was."""
-        self._sessions.slowly("Getting the three schedules ready …", self._compare)
+    def compare(self, subject=by_schedule):
+        """Show this world in variants side by side, from now on; again, go back to it as it was."""
+        self._sessions.slowly("Getting the worlds ready …", lambda: self._compare(subject))
 
     # --- the brush ---
 
@@ -101,16 +106,16 @@ class SandCommands:
         if sessions.now.paused:
             self._notices.say("The scene is at its start, and time stands still: Space lets it go on.")
 
-    def _compare(self):
+    def _compare(self, subject):
         now = self._sessions.now
         if isinstance(now, Comparison):
             self._sessions.leave()
         elif self._sessions.ready():
-            session = Comparison(present(now), now.seed)
+            session = Comparison(present(now), now.seed, subject=subject)
             session.paused, session.clock.speed = now.paused, self._timer.own_speed
             self._journals.begin(session, [])
             self._sessions.open(session, keep=True)
-            words = "The same sand under three schedules. Shift+H or Esc goes back."
+            words = f"The same sand {SUBJECTS[subject]}. Shift+H or Esc goes back."
             self._notices.say(words, holds=lambda: self._sessions.now is session)
 
     def _turn_over(self, quarters):

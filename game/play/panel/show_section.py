@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 from game.world.sand import parameters
-from game.world.sessions.comparison import Comparison
+from game.world.sessions.comparison import Comparison, by_friction, by_schedule, by_seed
 
 
 class ShowSection:
@@ -42,17 +42,21 @@ class ShowSection:
             )
 
     def _lay_out_comparison(self, ui):
-        comparing = isinstance(self._sessions.now, Comparison)
+        if isinstance(self._sessions.now, Comparison):
+            if ui.button("Back to one world", key="Shift+H", name="Compare"):
+                self._sand.compare()
+            words = "Each keeps what its title says. Saving, replays, plots and the forecast follow the bright one."
+            ui.text(words, dim=True)
+            return
         tip = "Runs this sand under Margolus, Paper and Balanced at once; what you do to one is done to all"
-        if ui.button(
-            "Back to one schedule" if comparing else "Three schedules", key="Shift+H", name="Compare", tip=tip
-        ):
-            self._sand.compare()
-        if comparing:
-            ui.text(
-                "Each world keeps its own schedule. Saving, replays, plots and the forecast follow the bright title.",
-                dim=True,
-            )
+        if ui.button("Three schedules", key="Shift+H", name="Compare", tip=tip):
+            self._sand.compare(by_schedule)
+        is_sand = self._sessions.now.rule.codes.is_sand
+        ui.row(1 + is_sand)
+        if is_sand and ui.button("Four p", name="Compare p", tip="Runs this sand with the four p of the paper at once"):
+            self._sand.compare(by_friction)
+        if ui.button("Seeds", name="Compare seeds", tip="Runs this world three times, each with other luck"):
+            self._sand.compare(by_seed)
 
     def _lay_out_plots(self, ui):
         plots = self._plots

@@ -27,7 +27,7 @@ class ComparisonView:
         self._window, self._comparison, self._measured_row = window, comparison, measured_row
         self._theme = None
         self._views = {each: SandView(window) for each in comparison.sessions}
-        self._lead = self._views[comparison.schedule]
+        self._lead = self._views[comparison.lead]
         self._shifts = {}  # of each pane from the leading one, in pixels
         self._titles, self._drawn, self._counted_s = {}, {}, None
         self._left = {}  # the grains above the neck in each world
@@ -65,13 +65,13 @@ class ComparisonView:
         self._lead.blocks = blocks
 
     def fit(self, shape, area, margin, theme, walls, substances):
-        """Show lattices of `shape` beside or below one another in `area`, whichever leaves larger cells."""
-        self._theme, high, gap = theme, theme.px(TITLE), theme.px(GAP)
-        ways = [_split(area, len(self._views), across, high, gap) for across in (True, False)]
+        """Show lattices of `shape` in as many columns of `area` as leave the largest cells."""
+        self._theme, high, gap, number = theme, theme.px(TITLE), theme.px(GAP), len(self._views)
+        ways = [_split(area, number, columns, high, gap) for columns in range(number, 0, -1) if number % columns == 0]
         rects = max(ways, key=lambda rects: min(rects[0].height / shape[0], rects[0].width / shape[1]))
-        for (schedule, pane), rect in zip(self._views.items(), rects, strict=True):
+        for (name, pane), rect in zip(self._views.items(), rects, strict=True):
             pane.fit(shape, rect, margin, theme, walls, substances)
-            self._titles[schedule] = pygame.Rect(rect.x, rect.y - high, rect.width, high)
+            self._titles[name] = pygame.Rect(rect.x, rect.y - high, rect.width, high)
         lead = self._lead.area
         self._shifts = {each: (s.area.x - lead.x, s.area.y - lead.y) for each, s in self._views.items()}
         self._gaps = _gaps([*self._titles.values()], rects, gap)
@@ -79,8 +79,8 @@ class ComparisonView:
 
     def show(self, view):
         """Show the lattices through another view."""
-        for schedule, pane in self._views.items():
-            pane.show(_moved(view, *self._shifts[schedule]))
+        for name, pane in self._views.items():
+            pane.show(_moved(view, *self._shifts[name]))
 
     def refresh(self):
         """Draw everything next time."""
@@ -103,8 +103,8 @@ class ComparisonView:
         if self._overlay and not overlay:
             self.refresh()
         panes = [
-            (self._views[schedule], session.world, self._marks_in(schedule, marks))
-            for schedule, session in self._comparison.sessions.items()
+            (self._views[name], session.world, self._marks_in(name, marks))
+            for name, session in self._comparison.sessions.items()
         ]
         self._count(now_s)
         under = []  # what soft edges lie over comes first, in all panes
@@ -123,25 +123,26 @@ class ComparisonView:
             rects += [*under, *self._covered]
         return rects
 
-    def _marks_in(self, schedule, marks):
-        x, y = self._shifts[schedule]
+    def _marks_in(self, name, marks):
+        x, y = self._shifts[name]
         return tuple(each._replace(points=tuple((a + x, b + y) for a, b in each.points)) for each in marks)
 
     # --- titles ---
 
     def titles(self):
         """Return what is written above each world."""
-        return {each: (each.capitalize(), f"{self._left.get(each, 0):,} left above") for each in self._views}
+        variants = self._comparison.variants
+        return {each: (variants[each].title, f"{self._left.get(each, 0):,} left above") for each in self._views}
 
     def _count(self, now_s):
         """Count the grains that are left above, if it is time to."""
         if self._counted_s is None or now_s - self._counted_s >= REFRESH_S:
             self._counted_s, row = now_s, self._measured_row()
             sessions = self._comparison.sessions.items()
-            self._left = {schedule: grains_above(session.world, row) for schedule, session in sessions}
+            self._left = {name: grains_above(session.world, row) for name, session in sessions}
 
     def _written(self):
-        """Return {schedule: (name, its size, its count)}: the fullest form that there is room for in all titles."""
+        """Return {name: (title, its size, its count)}: the fullest form that there is room for in all titles."""
         theme, titles = self._theme, self.titles()
         room = min(rect.width for rect in self._titles.values()) - 2 * theme.px(PAD)
         for size, number in FORMS:
@@ -155,14 +156,14 @@ class ComparisonView:
 
     def _draw_titles(self):
         new, theme, surface = self._new_titles(), self._theme, self._window.surface
-        for schedule, (name, size, left) in new.items():
-            rect, leads = self._titles[schedule], schedule == self._comparison.schedule
+        for name, (title, size, left) in new.items():
+            rect, leads = self._titles[name], name == self._comparison.lead
             draw_list.fill(surface, theme, rect, look.SUNKEN)
             if leads:
                 line = theme.px(2)
                 draw_list.fill(surface, theme, (rect.x, rect.bottom - line, rect.width, line), look.ACCENT)
             words = rect.inflate(-2 * theme.px(PAD), 0)
-            draw_list.words(surface, theme, words, name, size, look.BRIGHT_HANDLE if leads else look.DIM, 0)
+            draw_list.words(surface, theme, words, title, size, look.BRIGHT_HANDLE if leads else look.DIM, 0)
             draw_list.words(surface, theme, words, left, look.SMALL, look.TEXT if leads else look.DIM, 1)
         self._drawn |= new
         return [self._titles[each] for each in new]
@@ -189,21 +190,24 @@ def _differs(pane, world, marks):
     return pane.turn is not None or pane.differs(world, marks)
 
 
-def _split(area, number, across, high, gap):
-    """Return `number` rects of one size in `area`, with `high` pixels free above each and `gap` between them."""
-    wide = (area.width - (number - 1) * gap) // number if across else area.width
-    tall = area.height if across else (area.height - (number - 1) * gap) // number
-    step = (wide + gap, 0) if across else (0, tall + gap)
-    corners = [(area.x + k * step[0], area.y + k * step[1]) for k in range(number)]
+def _split(area, number, columns, high, gap):
+    """Return `number` rects of one size in columns of `area`, with `high` pixels free above each and gaps between."""
+    rows = number // columns
+    wide, tall = (area.width - (columns - 1) * gap) // columns, (area.height - (rows - 1) * gap) // rows
+    places = [divmod(k, columns) for k in range(number)]
+    corners = [(area.x + column * (wide + gap), area.y + row * (tall + gap)) for row, column in places]
     return [pygame.Rect(x, y + high, wide, max(1, tall - high)) for x, y in corners]
 
 
 def _gaps(titles, rects, gap):
-    """Return the gaps after all panes but the last: right of them where they stand side by side, else below."""
+    """Return the gaps at the right of all panes and below them, but for those of the last column and row."""
     panes = [title.union(rect) for title, rect in zip(titles, rects, strict=True)]
-    if panes[0].y == panes[-1].y:
-        return [pygame.Rect(pane.right, pane.y, gap, pane.height) for pane in panes[:-1]]
-    return [pygame.Rect(pane.x, pane.bottom, pane.width, gap) for pane in panes[:-1]]
+    last = panes[-1]
+    right = [pygame.Rect(pane.right, pane.y, gap, pane.height) for pane in panes if pane.x < last.x]
+    below = [
+        pygame.Rect(pane.x, pane.bottom, pane.width + gap * (pane.x < last.x), gap) for pane in panes if pane.y < last.y
+    ]
+    return right + below
 
 
 def _moved(view, x, y):

@@ -1,44 +1,91 @@
-"""The comparison: one world under all three schedules at once, told the same things at the same iterations."""
+"""The comparison: one world in variants side by side, told the same things at the same iterations."""
 
 import time
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
-from game.world.rules.rule import SCHEDULES
+from game.world.rules.rule import SCHEDULES, Rule
 from game.world.sand import parameters
 from game.world.sessions.action import Load, SetRule
 from game.world.sessions.session import Session
 
-SHARE = len(SCHEDULES)  # of the memory, and of the time for a seek, each world gets one part in so many
+PS = 0.25, 0.5, 0.75, 1.0  # the four values of the paper
+SEEDS = 3  # worlds of different seeds
+
+
+@dataclass(frozen=True)
+class Variant:
+    """The one thing in which a world of a comparison differs from the others; what is None is left as it is."""
+
+    title: str
+    schedule: str | None = None
+    p: float | None = None
+    later: int = 0  # added to the seed
+
+    def rule(self, rule):
+        """Return a rule as this variant has it."""
+        if self.p is not None and rule.codes.is_sand:
+            topples = Rule.with_p(self.p, bias=rule.bias)
+            rule = rule.with_chances(topple_left=topples.topple_left, topple_right=topples.topple_right)
+        return rule.with_schedule(self.schedule) if self.schedule else rule
+
+    def seed(self, seed):
+        """Return the seed that this variant has in place of one."""
+        return (seed + self.later) % 2**64
+
+    def scene(self, scene):
+        """Return a scene under this variant; where that changes nothing, the scene itself."""
+        rule = self.rule(scene.rule)
+        return scene if rule == scene.rule else replace(scene, rule=rule, shipped=False)
+
+
+def by_schedule(rule, seed):
+    """Return the Variants of the three schedules, by name."""
+    return {each: Variant(each.capitalize(), schedule=each) for each in SCHEDULES}
+
+
+def by_friction(rule, seed):
+    """Return the Variants of the paper's four values of p, by title."""
+    return {f"p = {p:g}": Variant(f"p = {p:g}", p=p) for p in PS}
+
+
+def by_seed(rule, seed):
+    """Return the Variants of some seeds, by title, the session's own first."""
+    variants = [Variant(f"Seed {(seed + later) % 2**64}", later=later) for later in range(SEEDS)]
+    return {each.title: each for each in variants}
 
 
 class Comparison(Session):
-    """The session of one schedule, which leads, and those of the others, which follow it through all that it does.
+    """The session of one variant, which leads, and those of the others, which follow it through all that it does.
 
     Only the leading one is recorded: the others are a function of it.
     """
 
-    def __init__(self, scene, seed=0, memory_mb=parameters.MEMORY.default):
-        super().__init__(scene, seed, _share(memory_mb))
+    def __init__(self, scene, seed=0, memory_mb=parameters.MEMORY.default, subject=by_schedule):
+        """subject: what the worlds differ in, `by_schedule` or another: a function of a rule and a seed."""
+        self.variants = subject(scene.rule, seed)
+        same = (name for name, each in self.variants.items() if each.scene(scene) is scene and not each.later)
+        self.lead = next(same, next(iter(self.variants)))
         self._memory_mb = memory_mb
-        self.schedule = scene.rule.schedule
+        lead = self.variants[self.lead]
+        super().__init__(lead.scene(scene), lead.seed(seed), self._share(memory_mb))
         self.others = {
-            schedule: Session(_under(scene, schedule), seed, _share(memory_mb))
-            for schedule in SCHEDULES
-            if schedule != self.schedule
+            name: Session(each.scene(scene), each.seed(seed), self._share(memory_mb))
+            for name, each in self.variants.items()
+            if name != self.lead
         }
 
     @property
     def sessions(self):
-        """The session of each schedule, by name, in the order of SCHEDULES."""
-        return {each: self if each == self.schedule else self.others[each] for each in SCHEDULES}
+        """The session of each variant, by name."""
+        return {each: self if each == self.lead else self.others[each] for each in self.variants}
 
     def do(self, action, join=False):
         """Apply an action to all worlds and return whether it changed any, and so is recorded in all.
 
-        A rule that it sets leaves each one its own schedule.
+        What it sets leaves each one what it differs in.
         """
         self.keep_up()
-        acts = [(session, _kept(action, schedule)) for schedule, session in self.sessions.items()]
+        acts = [(session, _kept(action, self.variants[name])) for name, session in self.sessions.items()]
         changed = any([session.timeline.happens(act, join) for session, act in acts])
         is_back = changed and all(session.timeline.is_back(join) for session, _ in acts)
         for session, act in acts:
@@ -49,8 +96,8 @@ class Comparison(Session):
         """Go to iteration `now` in all worlds and return whether the leading one is there."""
         for other in self.others.values():
             other.timeline.rewinding = self.timeline.rewinding
-            other.seek(now, _part(budget_ns))
-        return super().seek(now, _part(budget_ns))
+            other.seek(now, self._part(budget_ns))
+        return super().seek(now, self._part(budget_ns))
 
     @property
     def arrived(self):
@@ -70,28 +117,28 @@ class Comparison(Session):
     def catch_up(self, budget_ns):
         """Go on with unfinished seeks, for about `budget_ns` in all."""
         for session in self.sessions.values():
-            session.timeline.catch_up(_part(budget_ns))
+            session.timeline.catch_up(self._part(budget_ns))
 
     def undo(self, back=False, budget_ns=None):
         """Take back the last act in all worlds; return whether there was one."""
-        self.keep_up(_part(budget_ns))
+        self.keep_up(self._part(budget_ns))
         for other in self.others.values():
-            other.undo(back, _part(budget_ns))
-        return super().undo(back, _part(budget_ns))
+            other.undo(back, self._part(budget_ns))
+        return super().undo(back, self._part(budget_ns))
 
     def redo(self, back=False, budget_ns=None):
         """Bring back in all worlds the act undone last or the future left last; return whether there was one."""
-        self.keep_up(_part(budget_ns))
+        self.keep_up(self._part(budget_ns))
         for other in self.others.values():
-            other.redo(back, _part(budget_ns))
-        return super().redo(back, _part(budget_ns))
+            other.redo(back, self._part(budget_ns))
+        return super().redo(back, self._part(budget_ns))
 
     def limit_memory(self, memory_mb):
         """Let the pasts of all worlds take so much memory together (MB), at least as much as a single one may have."""
         self._memory_mb = parameters.MEMORY.check(memory_mb)
-        super().limit_memory(_share(memory_mb))
+        super().limit_memory(self._share(memory_mb))
         for other in self.others.values():
-            other.limit_memory(_share(memory_mb))
+            other.limit_memory(self._share(memory_mb))
 
     def drop_past(self):
         """Drop the snapshots of all pasts."""
@@ -114,8 +161,8 @@ class Comparison(Session):
         self.streams = None  # the worlds shall look alike
         if self.arrived:
             return super().frame(elapsed_ns, budget_ns, due)
-        done = super().frame(elapsed_ns, _part(budget_ns), due if self.timeline.goal is not None else 0)
-        self.keep_up(_part(budget_ns))
+        done = super().frame(elapsed_ns, self._part(budget_ns), due if self.timeline.goal is not None else 0)
+        self.keep_up(self._part(budget_ns))
         return done
 
     def _run(self, iterations, budget_ns):
@@ -146,30 +193,22 @@ class Comparison(Session):
                 else:
                     other.seek(self.now, budget_ns)
 
+    def _share(self, memory_mb):
+        """Return what each world may take of the memory for all pasts."""
+        return max(parameters.MEMORY.low, int(memory_mb) // len(self.variants))
 
-def _under(scene, schedule):
-    """Return the scene under a schedule; where that is its own, the scene itself."""
-    if scene.rule.schedule == schedule:
-        return scene
-    return replace(scene, rule=replace(scene.rule, schedule=schedule), shipped=False)
+    def _part(self, budget_ns):
+        """Return what each world may take of the time for a seek."""
+        return None if budget_ns is None else budget_ns // len(self.variants)
 
 
-def _kept(action, schedule):
-    """Return the action as it is done to the world of a schedule."""
+def _kept(action, variant):
+    """Return the action as it is done to the world of a variant."""
     if isinstance(action, SetRule):
-        return SetRule(replace(action.rule, schedule=schedule))
+        return SetRule(variant.rule(action.rule))
     if isinstance(action, Load):
-        return Load(_under(action.scene, schedule), action.seed)
+        return Load(variant.scene(action.scene), variant.seed(action.seed))
     return action
-
-
-def _share(memory_mb):
-    """Return what each world may take of the memory for all pasts."""
-    return max(parameters.MEMORY.low, int(memory_mb) // SHARE)
-
-
-def _part(budget_ns):
-    return None if budget_ns is None else budget_ns // SHARE
 
 
 def present(session):

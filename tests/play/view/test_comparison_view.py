@@ -1,5 +1,7 @@
 """Three schedules in one window: what is done in one pane is done in all, and the same key leads back."""
 
+import itertools
+
 import numpy as np
 import pygame
 import pytest
@@ -144,3 +146,35 @@ def test_still_panes_are_not_drawn_again(three):
     three.hold_time()
     three.wait(600)
     assert not any(three.frame() for _ in range(5))
+
+
+@pytest.mark.parametrize("size", [(1100, 700), (1280, 720), (700, 1100), (640, 480)])
+def test_four_values_of_p_stand_where_they_are_largest_with_all_of_their_titles(size):
+    player = Player("paper", size)
+    player.wait(1)
+    player.click(player.control("Compare p"))
+    player.settle()
+    view, area = player.parts.display.sand_view, player.parts.display.layout.sand
+    panes = view.panes
+    assert [title for title, _ in view.titles().values()] == ["p = 0.25", "p = 0.5", "p = 0.75", "p = 1"]
+    assert all(area.contains(pane) for pane in panes)
+    assert not any(one.colliderect(other) for one, other in itertools.combinations(panes, 2))
+    across = area.width // 4 if area.width / 4 > area.height / 4 - TITLE else area.height // 4 - TITLE
+    assert min(panes[0].size) >= min(across, *area.size) - 2 * GAP
+    player.key(pygame.K_ESCAPE)
+    assert not isinstance(player.session, Comparison)
+    player.parts.close()
+    pygame.display.quit()
+
+
+def test_many_materials_are_compared_but_not_by_p():
+    player = Player("kitchen", (1100, 700))
+    player.wait(1)
+    names = player.parts.panel.ui.focus.slots
+    assert "Compare seeds" in names and "Compare p" not in names
+    player.click(player.control("Compare seeds"))
+    player.settle()
+    player.wait(20)
+    assert len({each.world.digest() for each in player.session.sessions.values()}) == 3
+    player.parts.close()
+    pygame.display.quit()

@@ -9,7 +9,7 @@ import pytest
 from game import Rule, advance, load_scene
 from game.world.rules.rule import SCHEDULES
 from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule, apply
-from game.world.sessions.comparison import Comparison, present
+from game.world.sessions.comparison import PS, Comparison, by_friction, by_schedule, by_seed, present
 from game.world.sessions.session import BUDGET_NS, Session
 
 FRAME_NS = 16_666_667
@@ -173,6 +173,48 @@ def test_an_act_that_changes_any_of_the_worlds_is_one_of_all(three):
     dot = Paint("erase", (column, row), (column, row), 1, only="sand")
     before = digests(three)
     assert three.do(dot) and not three.do(dot)
-    assert digests(three)[three.schedule] == before[three.schedule] and digests(three) != before
+    assert digests(three)[three.lead] == before[three.lead] and digests(three) != before
     assert len({len(each.timeline.history.story()) for each in three.sessions.values()}) == 1
     assert three.undo() and digests(three) == before
+
+
+@pytest.mark.parametrize(("p", "lead"), [(0.5, "p = 0.5"), (0.6, "p = 0.25")])
+def test_four_values_of_p_differ_in_nothing_else(p, lead):
+    rule = Rule(p, p, fall_pair=0.9, schedule="balanced")
+    scene = replace(load_scene("hourglass", (45, 60)), rule=rule)
+    four = Comparison(scene, seed=9, subject=by_friction)
+    assert four.lead == lead and list(four.sessions) == ["p = 0.25", "p = 0.5", "p = 0.75", "p = 1"]
+    four.do(SetRule(Rule(0.1, 0.1, fall_pair=0.7, schedule="paper")))
+    four.do(Paint("sand", (22.0, 10.0), (30.0, 12.0), 5))
+    for _ in range(90):
+        four.frame(FRAME_NS)
+    alone = {}
+    for value in PS:
+        world, wanted = scene.world(9), Rule(value, value, fall_pair=0.7, schedule="paper")
+        apply(Paint("sand", (22.0, 10.0), (30.0, 12.0), 5), world, wanted)
+        advance(world, wanted, four.now)
+        alone[f"p = {value:g}"] = world.digest()
+    assert digests(four) == alone and len(set(alone.values())) == 4
+
+
+def test_worlds_of_three_seeds_differ_in_nothing_else():
+    scene = replace(load_scene("hourglass", (45, 60)), rule=Rule.with_p(0.5))
+    three = Comparison(scene, seed=2**64 - 1, subject=by_seed)
+    assert list(three.sessions) == [f"Seed {2**64 - 1}", "Seed 0", "Seed 1"] and three.lead == f"Seed {2**64 - 1}"
+    three.timeline.run(50)
+    three.keep_up()
+    wanted = []
+    for seed in (2**64 - 1, 0, 1):
+        world = scene.world(seed)
+        advance(world, scene.rule, 50)
+        wanted.append(world.digest())
+    assert list(digests(three).values()) == wanted and len(set(wanted)) == 3
+
+
+def test_any_rule_can_be_compared_under_schedules_and_seeds():
+    for subject in (by_schedule, by_seed):
+        three = Comparison(load_scene("kitchen"), seed=4, subject=subject)
+        for _ in range(3):
+            three.frame(FRAME_NS)
+        assert all(session.account.balanced(session.world) for session in three.sessions.values())
+        assert len(set(digests(three).values())) == 3
