@@ -19,6 +19,10 @@ class FileCommands:
         if self._sessions.ready():
             self._files.save()
 
+    def open_shipped(self, name):
+        """Put a shipped scene in place of this one."""
+        self._files.open_shipped(name)
+
     def save_measures(self):
         """Save what the plots have measured."""
         self._plots.save()

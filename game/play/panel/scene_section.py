@@ -18,7 +18,7 @@ class SceneSection:
         now = names.index(scene.name)
         chosen = ui.choice("Scene", titles, now, tip="Replaces this sand and these walls with another scene")
         if chosen != now:
-            self._sessions.load(names[chosen])
+            commands.open_shipped(names[chosen])
         if scene.notice:
             ui.text(scene.notice, dim=True)
         ui.row(3)

@@ -4,6 +4,7 @@ from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
+from game.world.background.rule_warmup import make_ready
 from game.world.files.checked_table import as_line
 from game.world.files.paths import asset, save_new
 from game.world.rules.rule_text import is_rule
@@ -42,6 +43,14 @@ class Files:
     def open(self, path):
         """Open a scene, a rule, a replay, a saved scene or any picture."""
         self._background.do(partial(read, path), self._take)
+
+    def open_shipped(self, name):
+        """Put a shipped scene in place of this one: of sand at once, else as soon as its rule is compiled."""
+        scene = load_scene(name)
+        if scene.rule.is_sand:
+            self._sessions.open_scene(scene, self._sessions.now.seed)
+        else:
+            self.open(asset("scenes", f"{name}.toml"))
 
     def play_demo(self, name):
         """Play a shipped replay."""
@@ -89,4 +98,7 @@ def read(path):
         found = open_picture(path)
         if isinstance(found, Photo):
             found.picture(in_colours=True)  # which is slow for the first time, and what is shown first
+    scene = found.scene if isinstance(found, SeededScene) else found
+    if isinstance(scene, Scene) and not scene.rule.is_sand:
+        make_ready(scene.rule, scene.made_of, scene.cell, scene.coloured, scene.fixtures)
     return found, as_line(path.stem)
