@@ -24,7 +24,7 @@ from game.play.window.allocator import freeze_objects, resident_mb, return_freed
 from game.play.window.window import Window
 from game.world.background import kernel_warmup
 from game.world.files.settings import Settings
-from game.world.scenes.scene import load_scene
+from game.world.scenes.scene import load_scene, scene_names
 
 MEMORY_MB = 64  # for the past
 BUDGET_MB = 300  # growth after the first minute: the past of two sessions, large scenes, kernels compiled late
@@ -34,7 +34,7 @@ TOLD = 40  # events that are told of when something goes wrong
 SIZE = 1000, 700
 LONGEST_PAGE = 200  # frames for which a page may cover the sand
 RESTART_S = 45.0  # now and then another scene is opened, so that not every lattice gets painted full
-SCENES = "hourglass", "ledges", "galton", "fullhd", "blank", "paper", "maze"
+FIRST = "hourglass"
 
 
 class SoakError(Exception):
@@ -48,7 +48,7 @@ class Soak:
         return_freed_memory()
         settings = Settings()
         settings["memory"] = MEMORY_MB
-        window, scene = Window(SIZE), load_scene(SCENES[0])
+        window, scene = Window(SIZE), load_scene(FIRST)
         for _, act in (*kernel_warmup.steps(scene.rule, scene.made_of), *kernel_warmup.later_steps(scene.rule)):
             act()
         self.app = App(window, scene, settings=settings)
@@ -59,7 +59,7 @@ class Soak:
         self.longest_s = self.worked_s = 0.0  # the longest frame, and what of it was work of this thread
         self.slow = []  # the events in it
         self.recent = deque(maxlen=TOLD)
-        self._opened = 0
+        self._opened, self._scenes = 0, scene_names()
         self._ready = jit.ready()
 
     def run(self, seconds, say):
@@ -106,7 +106,7 @@ class Soak:
         self.acts += len(events)
         if since_s // RESTART_S > self._opened:
             self._opened += 1
-            app.parts.sessions.load(SCENES[self._opened % len(SCENES)])
+            app.parts.sessions.load(self._scenes[self._opened % len(self._scenes)])
         app.frame(events, round(elapsed_s * 1e9), now_s, self.hand.pointer)
         app.parts.running = True  # whatever the hand did to leave
         if app.parts.sessions.now.memory_mb > MEMORY_MB:  # the hand has found the slider
