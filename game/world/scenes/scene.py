@@ -36,7 +36,9 @@ from game.world.scenes.shapes import MOST_WORK, Scale, glass_of, neck_of, paint,
 
 ORDER = (  # as shown; others follow
     *("hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "maze", "tower", "city", "marbles", "delta"),
-    *("silo", "clocks", "mixing", "fountain", "rainbow", "dunes", "aquarium", "kitchen", "fullhd", "blank"),
+    *("silo", "clocks", "mixing", "fountain", "rainbow", "dunes", "aquarium", "kitchen", "volcano"),
+    *("garden", "forest-fire", "winter-pond", "acid-cave", "steam-engine", "salt-works", "water-clock", "three-sands"),
+    *("two-sands", "fullhd", "blank"),
 )
 SOURCES = ("cells", "picture", "shape")  # where the cells come from: one of these, or none for an empty scene
 SIDES = ("width", "height")
