@@ -98,6 +98,7 @@ class App:
         said = (
             self.parts.sessions.words
             or self.parts.frame_step.words
+            or self.parts.rule_change.words
             or self.parts.recorder.said
             or self.parts.rewind.words
             or self.parts.fast_forward.words

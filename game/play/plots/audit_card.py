@@ -51,7 +51,7 @@ def card(theme, rect, account, counted, swatches):
     swatches: the RGB of each kind.
     """
     grains, balanced = sum(counted), account.agrees(counted)
-    kept = KEPT if any(account.formed_by_kind) else "every grain is there"
+    kept = KEPT if any(account.formed_by_kind) or any(account.used_by_kind) else "every grain is there"
     strokes, room = charts.card(theme, rect, "Audit", kept if balanced else "")
     if not balanced:
         head = (room.x, rect.y + theme.px(charts.PAD // 2), room.width, theme.px(charts.HEAD))

@@ -34,6 +34,11 @@ class RuleChange:
         """Whether a rule is on its way."""
         return self._wanted is not None
 
+    @property
+    def words(self):
+        """What the status line says of it."""
+        return "Compiling the rule …" if self.busy else ""
+
     def value(self, name):
         """Return the probability of a chance or an own number, as it was turned last."""
         turned = self._wanted.values if self._wanted else {}

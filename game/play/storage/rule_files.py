@@ -6,7 +6,7 @@ from pathlib import Path
 
 from game.world.files.atomic import FileError
 from game.world.files.checked_table import read_text
-from game.world.files.paths import folder_of
+from game.world.files.paths import asset, folder_of
 from game.world.rules.definition import load_definition, read_definition, rule_names, rule_title
 from game.world.rules.own_rules import copy_rule, own_rules
 from game.world.rules.rule import Rule
@@ -37,8 +37,8 @@ class RuleFiles:
     def label(self):
         """The label of the rule that is played."""
         told = self._sessions.now.rule.definition
-        if told.name in rule_names() and told.source == load_definition(told.name).source:
-            return told.title
+        if told.paths[:1] == (asset("rules", f"{told.name}.toml"),):
+            return rule_title(told.name)
         return f"Yours: {told.name}" if told.name in self._own else told.name
 
     def choose(self, label):

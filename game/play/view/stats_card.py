@@ -75,17 +75,17 @@ class StatsCard:
             work = f"{reading.frame_ms:.1f} of {BUDGET_NS / 1e6:.0f} ms of work each"
             yield f"{reading.frames_per_second:.0f} frames a second, {work}"
             yield _told(reading, session)
-            yield _books(self._stats)
+            yield _books(self._stats, "Grains" if session.rule.codes.is_sand else "Cells")
         known = f" of {session.reached:,} computed" if session.now < session.reached else ""
         yield f"Iteration {session.now:,}{known}"
         yield f"Memory for the past: {session.past_bytes / MEGABYTE:.1f} of {session.memory_mb:,.0f} MB"
 
 
-def _books(stats):
-    """Return the books of the grains at the latest reading."""
+def _books(stats, what):
+    """Return the books of the grains, or of the cells, at the latest reading."""
     account, grains = stats.account, sum(stats.grains)
     books = " ".join(f"{sign} {number:,} {word}".strip() for sign, word, number in account.lines)
-    return f"Grains: {books}" + ("" if account.agrees(stats.grains) else f", but there are {grains:,}")
+    return f"{what}: {books}" + ("" if account.agrees(stats.grains) else f", but there are {grains:,}")
 
 
 def _told(reading, session):

@@ -144,8 +144,11 @@ def rule_names():
 
 @cache
 def rule_title(name):
-    """Return the title of a shipped rule without compiling it; its file is read once."""
-    return RuleText(asset("rules", f"{name}.toml")).root.line("title", name)
+    """Return the title of a shipped rule, of a damaged one its name; its file is read once, and not compiled."""
+    try:
+        return RuleText(asset("rules", f"{name}.toml")).root.line("title", name)
+    except RuleError:
+        return name
 
 
 def load_definition(name_or_path):
