@@ -6,7 +6,7 @@ from contextlib import suppress
 from game.world.files.atomic import FileError, make_folder, save_as_new
 from game.world.files.checked_table import read_text
 from game.world.files.paths import asset, folder_of, numbered
-from game.world.rules.definition import MOST_INCLUDES, definition_of_texts, rule_names
+from game.world.rules.definition import MOST_INCLUDES, definition_of_texts
 from game.world.rules.rule_text import LARGEST_FILE, RuleText
 
 _NUMBER = r"[-+]?[0-9.]+(?:[eE][-+]?[0-9]+)?"
@@ -33,8 +33,8 @@ def copy_rule(rule):
     included = zip(_included(told), told.texts[1:], strict=True)
     for name, text in included:
         _keep_beside(folder, name, text)
-    stem = f"my-{told.name}" if told.name in (*rule_names(), *own_rules()) else told.name
-    return save_as_new(numbered(folder / f"{stem.removeprefix('my-my-')}.toml"), text_of(rule).encode())
+    path = folder / f"my-{told.name.removeprefix('my-')}.toml"  # another name than its own: it is another rule
+    return save_as_new(numbered(path), text_of(rule).encode())
 
 
 def text_of(rule):

@@ -6,6 +6,7 @@ import pygame
 import pytest
 
 from game.play.storage.rule_files import POLL_S
+from game.world.files.atomic import FileError
 from game.world.files.paths import asset, folder_of
 from game.world.rules.own_rules import copy_rule
 from game.world.rules.rule import load_rule
@@ -136,3 +137,17 @@ def test_another_rule_takes_what_it_has_of_the_world_and_undo_brings_all_back(pl
     assert player.world.codes.is_sand and player.world.where("sand").sum() == sand > 0
     player.key(pygame.K_z, mod=pygame.KMOD_CTRL)
     assert player.world.digest() == digest
+
+
+def test_a_copy_takes_along_what_the_rule_includes_and_replaces_no_file(player, tmp_path):
+    (tmp_path / "flowing.toml").write_text(asset("rules", "motion.toml").read_text("utf-8") + "\n# mine\n", "utf-8")
+    player.drop(own_file(tmp_path, 'include = ["motion"]', 'include = ["flowing"]'))
+    player.parts.rule_files.copy()
+    player.settle()
+    folder = folder_of("rules")
+    assert sorted(path.name for path in folder.iterdir()) == ["flowing.toml", "my-pond.toml"]
+    assert player.session.rule.definition.paths == (folder / "my-pond.toml", folder / "flowing.toml")
+    (folder / "flowing.toml").write_text("# another\n", "utf-8")
+    with pytest.raises(FileError, match=r"flowing.toml: include: found another file of that name"):
+        copy_rule(player.session.rule)
+    assert (folder / "flowing.toml").read_text("utf-8") == "# another\n"

@@ -11,6 +11,7 @@ from game.world.rules.rule import load_rule
 from game.world.rules.rule_json import decode_rule, encode_rule
 from game.world.sand.advance import advance
 from game.world.sand.world import World
+from game.world.scenes.scene import load_scene
 
 
 @pytest.mark.parametrize("name", rule_names())
@@ -72,3 +73,10 @@ def test_reactions_have_the_chances_that_are_turned():
 @pytest.mark.parametrize("name", sorted({*rule_names()} - {"alchemy"}))
 def test_where_all_only_moves_there_are_no_reactions(name):
     assert all(not told(name, material) for material in load_rule(name).materials)
+
+
+def test_a_scene_may_turn_own_numbers(tmp_path):
+    path = tmp_path / "slow.toml"
+    path.write_text('width = 8\nheight = 8\nrule = { name = "water-and-oil", flow = 0.25, "oil.pour" = 0.125 }\n')
+    rule = load_scene(path).rule
+    assert rule.number("oil.pour") == 0.125 and rule.number("flow") == 0.25 and rule.number("water.pour") == 0.75
