@@ -23,7 +23,7 @@ class Variant:
 
     def rule(self, rule):
         """Return a rule as this variant has it."""
-        if self.p is not None and rule.codes.is_sand:
+        if self.p is not None and rule.leans:
             topples = Rule.with_p(self.p, bias=rule.bias)
             rule = rule.with_chances(topple_left=topples.topple_left, topple_right=topples.topple_right)
         return rule.with_schedule(self.schedule) if self.schedule else rule

@@ -282,7 +282,7 @@ def test_time_at_rest_takes_no_room_on_the_bar(player):
 
 
 @pytest.mark.parametrize(
-    ("code", "mod", "done"), [(pygame.K_f, 0, "Turning"), (pygame.K_h, SHIFT, "Getting the three")]
+    ("code", "mod", "done"), [(pygame.K_f, 0, "Turning"), (pygame.K_h, SHIFT, "Getting the worlds")]
 )
 def test_what_takes_long_is_announced_by_a_frame_before(player, monkeypatch, code, mod, done):
     player.drag(player.pixel(20, 20), player.pixel(40, 20))
