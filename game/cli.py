@@ -223,7 +223,7 @@ def _load(options):
         scene, seed = load_start(SCENE if options.scene is None else options.scene, options.size)
     except (SceneError, PictureError) as error:
         raise SystemExit(_refuse(error)) from None
-    if options.p is not None and not scene.rule.codes.is_sand:
+    if options.p is not None and not scene.rule.is_sand:
         raise SystemExit(_refuse(f"--p: found it with the rule {scene.rule.definition.name}, wanted a scene of sand"))
     if scene.problem:
         print(f"sandglass: {scene.problem}", file=sys.stderr)

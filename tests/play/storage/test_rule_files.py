@@ -151,3 +151,37 @@ def test_a_copy_takes_along_what_the_rule_includes_and_replaces_no_file(player, 
     with pytest.raises(FileError, match=r"flowing.toml: include: found another file of that name"):
         copy_rule(player.session.rule)
     assert (folder / "flowing.toml").read_text("utf-8") == "# another\n"
+
+
+LIFT = """
+[materials]
+air = { letter = ".", class = "empty", colour = "#000000" }
+sand = { letter = "o", class = "powder", density = 5, colour = "#e6aa50" }
+wall = { letter = "#", class = "solid", colour = "#78828c" }
+
+[[event]]
+name = "rise"
+chance = 0.5
+picture = '''
+.    o
+o -> .
+'''
+
+[[event]]
+name = "vanish"
+chance = 0.01
+picture = "o -> ."
+"""
+
+
+def test_a_rule_of_sand_and_walls_alone_need_not_be_the_papers(player, tmp_path):
+    (tmp_path / "lift.toml").write_text(LIFT, "utf-8")
+    player.drop(tmp_path / "lift.toml")
+    grains = player.world.grains
+    player.session.paused = False
+    for key in (pygame.K_f, pygame.K_r, pygame.K_q, pygame.K_e, pygame.K_h, pygame.K_l):
+        player.key(key)
+        player.wait(40)  # the glass has turned
+    assert player.session.rule.definition.name == "lift" and player.world.grains < grains
+    assert player.session.account.balanced(player.world)
+    player.parts.close()
