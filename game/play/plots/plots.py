@@ -73,11 +73,9 @@ class Plots:
         if not self.shown:
             return
         self._slowest_ns = max(self._slowest_ns, self._frame_stats.frame_ns)
-        fits = self.measurements and (self.measurements.session, self.measurements.row) == (
-            self._sessions.now,
-            self.measured_row,
-        )
-        fits = fits and len(self.measurements.heights) == self._sessions.now.world.shape[1]
+        now, found = self._sessions.now, self.measurements
+        fits = found and (found.session, found.row, found.codes) == (now, self.measured_row, now.world.codes)
+        fits = fits and len(found.heights) == now.world.shape[1]
         if fits and now_s < self._next_s:
             return
         begin = time.perf_counter()
@@ -99,8 +97,8 @@ class Plots:
     def draw(self, surface):
         """Draw the cards if they look different; return the rects that changed."""
         area = self._display.layout.plots
-        if not area or not self.measurements:
-            return []
+        if not area or not self.measurements or self.measurements.codes != self._sessions.now.rule.codes:
+            return []  # a world that became another one since is measured in the next frame
         if self._drawing is None:
             self._drawing = self._strokes(area)
         if self._drawing == self._drawn:

@@ -5,7 +5,9 @@ import numpy as np
 from game.core import jit, planes
 from game.core.draw.cells import draw_turned
 from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
+from game.core.draw.looks import Substance
 from game.world.background.forecast_thread import ForecastRequest, forecast_of
+from game.world.looks.firelight import Firelight
 from game.world.looks.heatmap_colours import cover
 from game.world.looks.motion_samples import MotionSamples
 from game.world.looks.painter import Painter, rgb
@@ -64,6 +66,7 @@ def later_steps(rule):
     return [
         ("the brush", _brush),
         ("the turn of the glass", _turn),
+        ("the light of fire", _firelight),
         ("the figures", _figures),
         ("the eraser of fixtures", _eraser),
         *(("drawing glass", lambda cell=cell: _draw(Rule(), "glass", cell)) for cell in CELLS),
@@ -109,6 +112,12 @@ def _draw(rule, walls, cell):
     side = max(1, 8 * min(cell, 1))  # more pixels than cells are drawn as one pixel for each is
     painter = Painter(View(world.shape, 0, 0, side, side), walls=walls, substances=substances)
     painter.draw(world, np.zeros((8, 8), np.uint32), streams=streams)
+
+
+def _firelight():
+    light = Firelight([Substance("gas", (1,), (255, 0, 0), True)], 0.5, rgb, View((2, 2), 0, 0, 2, 2))
+    light.follow(_dot())
+    light.draw(np.zeros((2, 2), np.uint32), 0, 2)
 
 
 def _turn():

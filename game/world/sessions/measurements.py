@@ -37,10 +37,10 @@ class Measurement(NamedTuple):
 
 
 class Measurements:
-    """Samples of a session, the earliest first."""
+    """Samples of a session, the earliest first, as long as its world holds the same materials."""
 
     def __init__(self, session, row):
-        self.session, self.row = session, row
+        self.session, self.row, self.codes = session, row, session.world.codes
         self.samples = []
         self._loaded_at = session.timeline.moment.loaded_at
         self.heights = pile_heights(session.world, row)  # (W,) int64: the pile at the last sample
@@ -72,10 +72,9 @@ class Measurements:
     @property
     def columns(self):
         """What the numbers of a row are."""
-        codes = self.session.world.codes
-        if codes.is_sand:
+        if self.codes.is_sand:
             return *_COLUMNS, *(f"{colour}_grains" for colour in COLOURS)
-        return *_COLUMNS, *(f"{name.replace(' ', '_')}_cells" for name in codes.names)
+        return *_COLUMNS, *(f"{name.replace(' ', '_')}_cells" for name in self.codes.names)
 
     def rows(self):
         """Return the story as rows of numbers, as `columns` names them."""

@@ -8,12 +8,13 @@ import numpy as np
 import pygame
 import pytest
 
+from game import load_rule
 from game.play.plots import charts
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.theme import Theme
 from game.play.window.layout import WindowLayout
-from game.world.sessions.action import Clear, Paint
+from game.world.sessions.action import Clear, Paint, SetRule
 from tests.play.player import Player
 
 
@@ -260,6 +261,25 @@ def test_a_world_of_several_materials_shows_each_with_its_name_number_and_colour
     start = player.session.account.start_by_kind[world.codes.code("oil")]
     assert f"{start:,} + 0 – 0 = {start:,}" in written and "each to the cell" in written
     assert f"{amounts['water']:,} cells of water" in written
+    pygame.display.quit()
+
+
+@pytest.mark.parametrize(("first", "then"), [("sand", "alchemy"), ("alchemy", "water-and-oil"), ("alchemy", "sand")])
+def test_plots_begin_anew_when_the_rule_brings_other_materials(first, then):
+    player = Player("blank", (1280, 720))
+    player.session.do(SetRule(load_rule(first)))
+    player.session.do(Paint("sand", (20.0, 20.0), (60.0, 20.0), 9))
+    player.key(pygame.K_l, "l")
+    player.wait(20)
+    player.hold_time()
+    player.session.do(SetRule(load_rule(then)))
+    player.wait(3)
+    measured = player.parts.plots.measurements
+    assert len({len(row) for row in measured.rows()} | {len(measured.columns)}) == 1
+    player.session.undo()
+    player.wait(3)
+    assert player.parts.plots.measurements.codes == load_rule(first).codes
+    player.parts.close()
     pygame.display.quit()
 
 
