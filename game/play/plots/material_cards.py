@@ -51,21 +51,21 @@ def _legend(theme, room, entries):
 
 
 def books_card(theme, rect, account, amounts, books):
-    """Return the strokes of the card of the sums that no event may change; books: of (words, codes)."""
-    lines = [(words, *_sum(account, codes), sum(amounts[code] for code in codes)) for words, codes in books]
-    right = all(start + came - gone == now for _, start, came, gone, now in lines)
+    """Return the strokes of the card of the sums that no event may change, or only some; books: Books of a rule."""
+    lines = [(each, *_sum(account, each.codes), sum(amounts[code] for code in each.codes)) for each in books]
+    lines = [line for line in lines if any(line[1:])] or lines  # of what is there and was
+    right = all(start + came - gone == now for book, start, came, gone, now in lines if not book.but)
     strokes, room = charts.card(theme, rect, "Conserved", BOOKS if right and lines else "" if right else "not kept")
     high = theme.line_height(look.SMALL)
     if not lines:
-        lines_of_text = theme.lines("This rule keeps no sum without exception.", look.SMALL, room.width)
+        lines_of_text = theme.lines("This rule names no sum that it keeps.", look.SMALL, room.width)
         return strokes + [
             (draw_list.words, (room.x, room.y + number * high, room.width, high), text, look.SMALL, look.DIM, 0)
             for number, text in enumerate(lines_of_text)
         ]
     top = room.y
-    for words, start, came, gone, now in lines:
-        spelt = f"{start:,} + {came:,} – {gone:,} = {start + came - gone:,}"
-        spelt += "" if start + came - gone == now else f", but {now:,} are there"
+    for book, start, came, gone, now in lines:
+        words, spelt = _words(theme, book, room.width), _spelt(start, came, gone, now, book.but)
         one = theme.width(f"{words}  {spelt}", look.SMALL) <= room.width
         if top + high * (1 if one else 2) > room.bottom:
             break
@@ -74,6 +74,23 @@ def books_card(theme, rect, account, amounts, books):
         strokes.append((draw_list.words, (room.x, top, room.width, high), spelt, look.SMALL, look.TEXT, 1))
         top += high
     return strokes
+
+
+def _words(theme, book, width):
+    """Return which materials a book adds up, and the events that may change that, by name if there is room."""
+    if not book.but:
+        return book.words
+    full = f"{book.words}, but {' and '.join(book.but)}"
+    return full if theme.width(full, look.SMALL) <= width else f"{book.words}, but {len(book.but)} events"
+
+
+def _spelt(start, came, gone, now, but):
+    """Return a sum in figures: at the start, put in, taken out, what events that may did, and what is there."""
+    kept = start + came - gone
+    spelt = f"{start:,} + {came:,} – {gone:,}"
+    if not but:
+        return f"{spelt} = {kept:,}" + ("" if kept == now else f", but {now:,} are there")
+    return f"{spelt} {'–' if now < kept else '+'} {abs(now - kept):,} by events = {now:,}"
 
 
 def _sum(account, codes):

@@ -155,7 +155,7 @@ class Plots:
 
     def _books(self, rect):
         session = self._sessions.now
-        books = [(each.words, sorted(each.codes)) for each in session.rule.definition.books if not each.but]
+        books = sorted(session.rule.definition.books, key=lambda book: len(book.but))
         return books_card(self._display.theme, rect, session.account, session.world.amounts, books)
 
     def _edges(self, length, tall, count):

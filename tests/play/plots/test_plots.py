@@ -264,6 +264,20 @@ def test_a_world_of_several_materials_shows_each_with_its_name_number_and_colour
     pygame.display.quit()
 
 
+def test_a_sum_that_some_events_may_change_says_which_and_by_how_much():
+    player = Player("acid-cave", (1280, 1500))
+    player.parts.commands.give("view.toggle_plots")
+    player.wait(240)
+    player.hold_time()
+    player.wait(40)
+    world, written, account = player.world, player.words(), player.session.account
+    sand = world.codes.code("sand")
+    eaten = account.start_by_kind[sand] - world.amounts[sand]
+    assert eaten > 10 and "sand, but acid eats" in written
+    assert f"{account.start_by_kind[sand]:,} + 0 – 0 – {eaten:,} by events = {world.amounts[sand]:,}" in written
+    pygame.display.quit()
+
+
 @pytest.mark.parametrize(("first", "then"), [("sand", "alchemy"), ("alchemy", "water-and-oil"), ("alchemy", "sand")])
 def test_plots_begin_anew_when_the_rule_brings_other_materials(first, then):
     player = Player("blank", (1280, 720))
