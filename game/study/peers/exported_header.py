@@ -55,7 +55,8 @@ class ExportedHeader:
         height, width = world.shape
         memory = _aligned(self._calls.sandglass_bytes(width, height) // 8)
         self._calls.sandglass_init(memory.ctypes.data, width, height, world.seed)
-        self._calls.fill(memory.ctypes.data, world.materials.ctypes.data)
+        cells = world.materials  # held while it is read
+        self._calls.fill(memory.ctypes.data, cells.ctypes.data)
         return memory
 
     def advance(self, memory, iterations):
