@@ -4,7 +4,7 @@ import pygame
 
 from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.ui.controls import GAP, PUSH_KEYS, ROW
+from game.play.ui.controls import GAP, PUSH_KEYS, ROW, part_there
 
 INSET = 6  # from the edge of a button to its word
 BETWEEN = 3  # pixels at scale 1 between two swatches
@@ -65,7 +65,7 @@ def _claim(ui, name, columns, down, index, tips, on_again=None):
     parts = tuple(_part(rect, place, columns, height) for place in range(count))
     steps = {pygame.K_LEFT: -1, pygame.K_RIGHT: 1, pygame.K_UP: -down, pygame.K_DOWN: down}
     steps |= {pygame.K_HOME: -count, pygame.K_END: count}
-    pointed = ui.focus.pointed_part(name)
+    pointed = part_there(ui.focus.pointed_part(name), count)
     keys = frozenset(steps) | (PUSH_KEYS if on_again else frozenset())
     me = ui.claim(name, rect, parts=parts, keys=keys, tip=tips[index if pointed is None else pointed])
     for event in me.events:
@@ -91,4 +91,5 @@ def _chosen(event, steps, index, count):
         goal = index + steps[event.key]
         far = event.key in (pygame.K_HOME, pygame.K_END)
         return min(max(goal, 0), count - 1) if far or 0 <= goal < count else index
-    return event.part if event.kind == "press" and event.part is not None else index
+    part = part_there(event.part, count) if event.kind == "press" else None
+    return index if part is None else part

@@ -144,4 +144,10 @@ def _segment(event, parts, index):
         return 0 if event.key == pygame.K_HOME else len(parts) - 1
     if event.kind == "key":
         return min(max(index + SEGMENT_KEYS[event.key], 0), len(parts) - 1)
-    return event.part if event.kind == "press" and event.part is not None else index
+    part = part_there(event.part, len(parts)) if event.kind == "press" else None
+    return index if part is None else part
+
+
+def part_there(part, count):
+    """Return the number of a part that an event of the last frame names, or None if there is no such part any more."""
+    return part if part is not None and part < count else None

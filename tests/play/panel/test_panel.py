@@ -9,9 +9,12 @@ import pygame
 import pytest
 from PIL import Image
 
+from game import load_rule
 from game.play.ui.input import key_name
 from game.play.ui.widgets import Ui
 from game.world.scenes.scene import load_scene, scene_names
+from game.world.sessions.action import SetRule
+from tests.play.player import Player
 
 SIZES = (640, 480), (1280, 720), (3840, 2160)
 SCALES = 0.75, 1, 1.5, 3
@@ -208,3 +211,21 @@ def test_full_screen_and_back_leaves_the_window_as_it_was(player):
         player.key(pygame.K_F11)
         player.wait(2)
         assert player.parts.window.size == size
+
+
+@pytest.mark.parametrize(("rule", "number"), [("water-and-oil", 5), ("sand", 3)])
+@pytest.mark.parametrize("pressed", [False, True])
+def test_materials_go_from_under_the_pointer_when_the_rule_has_fewer(pressed, rule, number):
+    player = Player("kitchen", (1000, 900))
+    player.wait(1)
+    last = player.parts_of("Paint")[-2]
+    player.move(last.center)
+    player.frame()
+    player.session.do(SetRule(load_rule(rule)))
+    if pressed:
+        player.button(pygame.MOUSEBUTTONDOWN, last.center)
+        player.button(pygame.MOUSEBUTTONUP, last.center)
+    player.wait(2)
+    assert player.parts.brush.material in player.parts.brush.materials and len(player.parts_of("Paint")) == number
+    player.parts.close()
+    pygame.display.quit()
