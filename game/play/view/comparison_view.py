@@ -102,10 +102,7 @@ class ComparisonView:
         """Bring all panes up to date and return the rects of the window that changed; see `SandView.draw`."""
         if self._overlay and not overlay:
             self.refresh()
-        panes = [
-            (self._views[name], session.world, self._marks_in(name, marks))
-            for name, session in self._comparison.sessions.items()
-        ]
+        panes = [(self._views[name], world, self._marks_in(name, marks)) for name, world in self._worlds().items()]
         self._count(now_s)
         under = []  # what soft edges lie over comes first, in all panes
         if overlay is not self._overlay or self._new_titles() or any(_differs(*pane) for pane in panes):
@@ -123,6 +120,15 @@ class ComparisonView:
             rects += [*under, *self._covered]
         return rects
 
+    def _worlds(self):
+        """Return the worlds by name, without those that are still on their way to the scene or rule of the leading one.
+
+        What they show there has another shape or other materials than the views.
+        """
+        lead, sessions = self._comparison.world, self._comparison.sessions.items()
+        worlds = {name: session.world for name, session in sessions}
+        return {name: each for name, each in worlds.items() if (each.shape, each.codes) == (lead.shape, lead.codes)}
+
     def _marks_in(self, name, marks):
         x, y = self._shifts[name]
         return tuple(each._replace(points=tuple((a + x, b + y) for a, b in each.points)) for each in marks)
@@ -138,8 +144,7 @@ class ComparisonView:
         """Count the grains that are left above, if it is time to."""
         if self._counted_s is None or now_s - self._counted_s >= REFRESH_S:
             self._counted_s, row = now_s, self._measured_row()
-            sessions = self._comparison.sessions.items()
-            self._left = {name: grains_above(session.world, row) for name, session in sessions}
+            self._left |= {name: grains_above(world, row) for name, world in self._worlds().items()}
 
     def _written(self):
         """Return {name: (title, its size, its count)}: the fullest form that there is room for in all titles."""

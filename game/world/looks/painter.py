@@ -124,7 +124,10 @@ class Painter:
 
         damage: spans (top, bottom) of pixel rows that were overwritten since. streams: the MotionSamples of the world,
         if falling sand is drawn as the mean of the last iterations. Return the spans drawn, from the top.
+        Raises ValueError for a world of another shape than the view's: memory beyond its own would be written.
         """
+        if world.shape != self.view.shape:
+            raise ValueError(f"a view of {self.view.shape} cells shows no world of {world.shape}")
         if self._glass:
             self._decorate(world)
         smooth = streams is not None and streams.follows(world) and self._paints.channels is not None

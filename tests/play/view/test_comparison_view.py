@@ -8,8 +8,12 @@ import pytest
 
 from game.play.ui import draw_list
 from game.play.view.comparison_view import GAP, TITLE
+from game.world.looks.painter import Painter
+from game.world.looks.view import View
+from game.world.scenes.scene import load_scene
 from game.world.sessions.action import Clear
 from game.world.sessions.comparison import Comparison
+from game.world.sessions.session import Session
 from tests.play.player import Player
 
 
@@ -178,3 +182,26 @@ def test_many_materials_are_compared_but_not_by_p():
     assert len({each.world.digest() for each in player.session.sessions.values()}) == 3
     player.parts.close()
     pygame.display.quit()
+
+
+@pytest.mark.parametrize("scene", ["fullhd", "paper", "kitchen"])
+def test_a_world_that_is_still_on_its_way_to_another_scene_is_shown_once_it_is_there(three, scene):
+    three.hold_time()
+    three.wait(30)
+    behind = next(iter(three.session.others.values()))
+    there = behind.timeline.moment
+    behind.timeline.moment = Session(load_scene(scene)).timeline.moment
+    view, surface = three.parts.display.sand_view, three.parts.window.surface
+    titles, seen = view.titles(), [pygame.surfarray.array3d(surface.subsurface(pane)) for pane in view.panes]
+    three.wait(60)
+    assert view.titles() == titles
+    behind.timeline.moment = there
+    three.wait(60)
+    for pane, before in zip(view.panes, seen, strict=True):
+        assert (pygame.surfarray.array3d(surface.subsurface(pane)) == before).all()
+
+
+def test_a_view_shows_no_world_of_another_shape():
+    world = load_scene("paper").world()
+    with pytest.raises(ValueError, match="shows no world"):
+        Painter(View((60, 61), 0, 0, 61, 60)).draw(world, np.zeros((61, 61), np.uint32))
