@@ -51,9 +51,9 @@ class ShowSection:
         tip = "Runs this sand under Margolus, Paper and Balanced at once; what you do to one is done to all"
         if ui.button("Three schedules", key="Shift+H", name="Compare", tip=tip):
             self._sand.compare(by_schedule)
-        is_sand = self._sessions.now.rule.codes.is_sand
-        ui.row(1 + is_sand)
-        if is_sand and ui.button("Four p", name="Compare p", tip="Runs this sand with the four p of the paper at once"):
+        has_p = self._sessions.now.rule.leans
+        ui.row(1 + has_p)
+        if has_p and ui.button("Four p", name="Compare p", tip="Runs this sand with the four p of the paper at once"):
             self._sand.compare(by_friction)
         if ui.button("Seeds", name="Compare seeds", tip="Runs this world three times, each with other luck"):
             self._sand.compare(by_seed)
