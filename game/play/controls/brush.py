@@ -69,8 +69,7 @@ class Brush:
     def materials(self):
         """The names of what can be painted in the world that is played, the eraser last."""
         codes = self._sessions.now.world.codes
-        names = dict.fromkeys(codes.told[code] for code in sorted(codes.filled | {codes.wall}))
-        return (*names, ERASE)
+        return (*codes.told_of(codes.filled | {codes.wall}), ERASE)
 
     def swatches(self, colours):
         """Return the colours of what can be painted in a theme's Colours, without the eraser."""

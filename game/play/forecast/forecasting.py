@@ -48,7 +48,7 @@ class Forecasting:
     def materials(self):
         """The names of the materials that can be forecast."""
         codes = self._sessions.now.rule.codes
-        return tuple(dict.fromkeys(codes.told[code] for code in sorted(codes.filled)))
+        return codes.told_of(codes.filled)
 
     @property
     def of(self):

@@ -9,7 +9,6 @@ from game.world.sand import parameters
 
 RARE = 0.05  # below it a chance has a slider of its own length, or no hand could set it
 SPAN = 20  # the length of that, in usual values
-PAPER_P = (0.25, 0.5, 0.75, 1.0)  # the four values of the paper
 SCHEDULE_TIP = (
     "The order in which the partitions into blocks take turns. Margolus: two partitions; piles grow on one side first. "
     "Paper: four; grains alternate sides. Balanced: the same four in another order; grains fall evenly, twice as fast."
@@ -111,7 +110,7 @@ class RulesSection:
             self._rule, self._p, self._bias = rule, rule.p, rule.bias
         usual = usual if usual.is_sand else Rule()
         tip = "How readily grains topple. A lower p is more friction: piles are steeper."
-        p = ui.slider("p", parameters.P, self._p, default=usual.p, marks=PAPER_P, tip=tip)
+        p = ui.slider("p", parameters.P, self._p, default=usual.p, marks=parameters.PAPER_P, tip=tip)
         self._play(ui, self._leant(rule, p, self._bias))
         self._lean_open = ui.fold("Bias, schedule and file", self._lean_open, tip=LEAN_TIP)
         if self._lean_open:
@@ -135,10 +134,8 @@ class RulesSection:
         """Return the rule with p and bias, or itself."""
         if (p, bias) == (self._p, self._bias):
             return rule
-        topples = Rule.with_p(p, bias=bias)
-        changed = replace(rule, topple_left=topples.topple_left, topple_right=topples.topple_right)
-        self._p, self._bias, self._rule = p, bias, changed
-        return changed
+        self._p, self._bias, self._rule = p, bias, rule.toppling(p, bias)
+        return self._rule
 
 
 def _choose_schedule(ui, rule):

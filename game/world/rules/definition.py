@@ -31,7 +31,7 @@ _known = WeakValueDictionary()  # (name, texts, paths): a definition in use; a f
 RESERVED = (  # names that no chance can have, as a rule has them
     *("as_dict", "bias", "chances", "codes", "definition", "digest", "events_of", "happening", "is_sand", "leaning"),
     *("leans", "materials", "name", "number", "offsets", "outcomes", "p", "probabilities", "rule", "schedule"),
-    *("table", "texts", "values", "with_chances", "with_p", "with_schedule"),
+    *("table", "texts", "toppling", "values", "with_chances", "with_p", "with_schedule"),
 )
 _NAME = re.compile(r"[a-z][a-z0-9_]{0,23}")
 

@@ -67,8 +67,8 @@ def _is_involved(told, event, before, after):
 
 def _kind(told, event, sign):
     """Return what a sign stands for: a material's name to the player, or the sign itself if it may be several."""
-    names = {told.codes.told[code] for code in event.codes[sign]}
-    return names.pop() if len(names) == 1 else sign
+    names = told.codes.told_of(event.codes[sign])
+    return names[0] if len(names) == 1 else sign
 
 
 def _told(told, event, cells, mine, known):
@@ -82,8 +82,7 @@ def _told(told, event, cells, mine, known):
 
 
 def _named(told, event, sign, known):
-    codes = [known[sign]] if sign in known else sorted(event.codes[sign])
-    return _listed(dict.fromkeys(told.codes.told[code] for code in codes), "or")
+    return _listed(told.codes.told_of([known[sign]] if sign in known else event.codes[sign]), "or")
 
 
 def _listed(names, last="and"):

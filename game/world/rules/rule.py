@@ -109,7 +109,11 @@ class Rule:
 
     def leaning(self, bias):
         """Return the rule with the same p whose topples lean by `bias`."""
-        topples = Rule.with_p(self.p, bias=bias)
+        return self.toppling(self.p, bias)
+
+    def toppling(self, p, bias):
+        """Return the rule whose topples have p and lean by `bias`; all else is kept."""
+        topples = Rule.with_p(p, bias=bias)
         return self.with_chances(topple_left=topples.topple_left, topple_right=topples.topple_right)
 
     @property

@@ -37,6 +37,10 @@ class MaterialCodes:
         """For each code the name of the material that it is to the player."""
         return self.forms or self.names
 
+    def told_of(self, codes):
+        """Return the names of the materials that some codes are to the player, each once, in the order of the codes."""
+        return tuple(dict.fromkeys(self.told[code] for code in sorted(codes)))
+
     @property
     def usual(self):
         """The name of what fills a glass or comes from a tap where nothing else is said: sand, or what comes first."""

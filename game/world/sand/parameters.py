@@ -49,6 +49,7 @@ def _spelt(number):
     return str(int(number)) if number == int(number) else f"{number:g}"
 
 
+PAPER_P = (0.25, 0.5, 0.75, 1.0)  # the four values of the paper
 P = Knob("p", 1.0, 0.0, 1.0, "", "how readily grains topple: lower is more friction")
 BIAS = Knob("bias", 0.0, -1.0, 1.0, "", "which side grains favour: left (below 0) or right (above 0)")
 SIDE = Knob("size", 480, 1, 16384, "cells", "width or height of the lattice", whole=True)

@@ -3,12 +3,11 @@
 import time
 from dataclasses import dataclass, replace
 
-from game.world.rules.rule import SCHEDULES, Rule
+from game.world.rules.rule import SCHEDULES
 from game.world.sand import parameters
 from game.world.sessions.action import Load, SetRule
 from game.world.sessions.session import Session
 
-PS = 0.25, 0.5, 0.75, 1.0  # the four values of the paper
 SEEDS = 3  # worlds of different seeds
 
 
@@ -24,8 +23,7 @@ class Variant:
     def rule(self, rule):
         """Return a rule as this variant has it."""
         if self.p is not None and rule.leans:
-            topples = Rule.with_p(self.p, bias=rule.bias)
-            rule = rule.with_chances(topple_left=topples.topple_left, topple_right=topples.topple_right)
+            rule = rule.toppling(self.p, rule.bias)
         return rule.with_schedule(self.schedule) if self.schedule else rule
 
     def seed(self, seed):
@@ -38,17 +36,17 @@ class Variant:
         return scene if rule == scene.rule else replace(scene, rule=rule, shipped=False)
 
 
-def by_schedule(rule, seed):
+def by_schedule(_):
     """Return the Variants of the three schedules, by name."""
     return {each: Variant(each.capitalize(), schedule=each) for each in SCHEDULES}
 
 
-def by_friction(rule, seed):
+def by_friction(_):
     """Return the Variants of the paper's four values of p, by title."""
-    return {f"p = {p:g}": Variant(f"p = {p:g}", p=p) for p in PS}
+    return {f"p = {p:g}": Variant(f"p = {p:g}", p=p) for p in parameters.PAPER_P}
 
 
-def by_seed(rule, seed):
+def by_seed(seed):
     """Return the Variants of some seeds, by title, the session's own first."""
     variants = [Variant(f"Seed {(seed + later) % 2**64}", later=later) for later in range(SEEDS)]
     return {each.title: each for each in variants}
@@ -61,8 +59,8 @@ class Comparison(Session):
     """
 
     def __init__(self, scene, seed=0, memory_mb=parameters.MEMORY.default, subject=by_schedule):
-        """subject: what the worlds differ in, `by_schedule` or another: a function of a rule and a seed."""
-        self.variants = subject(scene.rule, seed)
+        """subject: what the worlds differ in, `by_schedule` or another: a function of the seed."""
+        self.variants = subject(seed)
         same = (name for name, each in self.variants.items() if each.scene(scene) is scene and not each.later)
         self.lead = next(same, next(iter(self.variants)))
         self._memory_mb = memory_mb

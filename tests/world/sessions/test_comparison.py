@@ -8,8 +8,9 @@ import pytest
 
 from game import Rule, advance, load_scene
 from game.world.rules.rule import SCHEDULES
+from game.world.sand import parameters
 from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule, apply
-from game.world.sessions.comparison import PS, Comparison, by_friction, by_schedule, by_seed, present
+from game.world.sessions.comparison import Comparison, by_friction, by_schedule, by_seed, present
 from game.world.sessions.session import BUDGET_NS, Session
 
 FRAME_NS = 16_666_667
@@ -189,7 +190,7 @@ def test_four_values_of_p_differ_in_nothing_else(p, lead):
     for _ in range(90):
         four.frame(FRAME_NS)
     alone = {}
-    for value in PS:
+    for value in parameters.PAPER_P:
         world, wanted = scene.world(9), Rule(value, value, fall_pair=0.7, schedule="paper")
         apply(Paint("sand", (22.0, 10.0), (30.0, 12.0), 5), world, wanted)
         advance(world, wanted, four.now)
