@@ -146,9 +146,8 @@ class Plots:
         return self._amounts, self._books, self._frames, self._audit
 
     def _amounts(self, rect):
-        rule, names = self._sessions.now.rule, {}
-        for code in sorted(rule.codes.filled):
-            names.setdefault(rule.codes.told[code], []).append(code)
+        rule = self._sessions.now.rule
+        names = {name: sorted(rule.codes.codes_of(name)) for name in rule.codes.told_of(rule.codes.filled)}
         samples = [(each.now, each.amounts) for each in self.measurements.samples]
         colours = swatches_of(self._display.theme.colours, rule.definition.materials)
         return amounts_card(self._display.theme, rect, samples, names, colours)
