@@ -7,9 +7,11 @@ from game import Rule, advance
 from game.world.rules.rule import SCHEDULES
 from game.world.sand.fixtures import Fixture
 from game.world.sand.sand_colours import DYES
+from game.world.sand.stamp import Stamp
 from game.world.scenes.hourglass_spec import Glass
 from game.world.scenes.scene import Scene
 from game.world.sessions.action import (
+    ANCHORS,
     SHAPES,
     Clear,
     Draw,
@@ -17,7 +19,9 @@ from game.world.sessions.action import (
     Flip,
     Load,
     Paint,
+    Paste,
     Reshape,
+    Resize,
     SetFixtures,
     SetRule,
     Turn,
@@ -56,6 +60,17 @@ glasses = st.builds(
     material=st.sampled_from(("", "water", "lava")),
 )
 reshapes = st.builds(Reshape, glasses, st.booleans())
+resizes = st.builds(Resize, sides, sides, st.sampled_from(sorted(ANCHORS)))
+
+
+def stamp_of(number, fixtures=()):
+    """Return a small Stamp at random, of sand with colours or of other materials, with some fixtures."""
+    generator = np.random.default_rng(number)
+    names = (("air", "sand", "wall"), ("air", "lava", "wall", "water", "sand"))[number % 2]
+    cells = generator.integers(0, len(names), generator.integers(1, 12, 2), np.uint8)
+    colours = generator.integers(0, 8, cells.shape, np.uint8) * (cells == 1) if number % 4 == 0 else None
+    stamp = Stamp(names, cells, colours, tuple(fixtures))
+    return stamp.mirrored() if number % 3 else stamp.turned(number % 4)
 
 
 def fixtures_of(materials):
@@ -96,7 +111,11 @@ def actions_of(tools, fixtures, rules, scenes):
     """Return what makes any act of a player with such tools, fixtures, rules and scenes."""
     fittings = st.builds(SetFixtures, st.lists(fixtures, max_size=4).map(tuple))
     loads = st.builds(Load, st.sampled_from(scenes), st.integers(0, 3))
-    return st.one_of(tools, tools, fittings, reshapes, st.builds(SetRule, rules), loads, turns, st.just(Clear()))
+    stamps = st.builds(stamp_of, st.integers(0, 9), st.lists(fixtures, max_size=1))
+    pastes = st.builds(Paste, stamps, places, st.booleans())
+    return st.one_of(
+        tools, tools, pastes, resizes, fittings, reshapes, st.builds(SetRule, rules), loads, turns, st.just(Clear())
+    )
 
 
 def plays_of(actions):

@@ -33,7 +33,7 @@ class FixtureTool:
         fresh_one = self._held is None
         if self._carried == self._held or (fresh_one and len(self._present) >= MOST):
             return []
-        if fresh_one and not _reaches(self._carried, self._shape):
+        if fresh_one and not self._carried.reaches(*self._shape[::-1]):
             return []
         others = tuple(each for each in self._present if each is not self._held)
         return [SetFixtures((*others, self._carried))]
@@ -51,12 +51,6 @@ def fresh(brush, place):
         return fixture
     poured = next(name for name in (brush.material, *brush.materials) if name not in (WALL_NAME, ERASE))
     return replace(fixture, every=brush.every, colour=brush.colour if brush.has_colours else AMBER, material=poured)
-
-
-def _reaches(fixture, shape):
-    """Return whether a fixture has a cell in a lattice of that shape (height, width)."""
-    left, top, right, bottom = fixture.box
-    return right > 0 and bottom > 0 and left < shape[1] and top < shape[0]
 
 
 def _is_near(fixture, place):

@@ -61,6 +61,11 @@ class Fixture:
         """First column and row, then those after the last."""
         return self.x, self.y, self.x + self.width, self.y + self.height
 
+    def reaches(self, width, height):
+        """Return whether it has a cell in a lattice of that size."""
+        left, top, right, bottom = self.box
+        return right > 0 and bottom > 0 and left < width and top < height
+
     def ink(self, codes):
         """Return what it leaves in its cells in a world of MaterialCodes, and which of them take it."""
         if self.kind == TAP:

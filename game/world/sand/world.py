@@ -168,6 +168,24 @@ class World:
         world.fixtures = tuple(replace(each, x=each.x + across, y=each.y + down) for each in self.fixtures)
         return world
 
+    def resized(self, height, width, right, down):
+        """Return the world in a lattice of another size, its cells so many further: a new one at the same iteration.
+
+        What comes to lie outside is cut off, and with it the taps and drains that reach none of the cells any more.
+        """
+        cells, colours = np.zeros((2, height, width), np.uint8)
+        spans = zip((down, right), self.shape, (height, width), strict=True)
+        there = tuple(slice(max(by, 0), max(by, 0, min(by + old, new))) for by, old, new in spans)
+        here = tuple(slice(each.start - by, each.stop - by) for each, by in zip(there, (down, right), strict=True))
+        cells[there] = self.materials[here]
+        if self.coloured:
+            colours[there] = self.colours[here]
+        world = World.of_codes(cells, self.codes, self.seed, colours if self.coloured else None)
+        world.iteration = self.iteration
+        moved = (each.moved(right, down) for each in self.fixtures)
+        world.fixtures = tuple(each for each in moved if each.reaches(width, height))
+        return world
+
     def of(self, codes):
         """Return the world for a rule of other materials: itself if they are its own; what they have not is gone."""
         if codes == self.codes:

@@ -1,9 +1,6 @@
 """A scene in a session file: a shipped one by name, size and digest, any other with its cells."""
 
-import base64
-import binascii
 import hashlib
-import zlib
 from dataclasses import fields
 from functools import lru_cache
 
@@ -17,6 +14,7 @@ from game.world.sand import parameters
 from game.world.sand.material_codes import SAND
 from game.world.scenes import hourglass_spec
 from game.world.scenes.fixture_tables import read_fixtures
+from game.world.scenes.packed_cells import bits_of, cells_of_bits, packed, unpacked
 from game.world.scenes.scene import Scene, load_scene, scene_names
 
 SHIPPED = ("name", "size", "start")
@@ -33,11 +31,15 @@ CELLS_PER_BYTE = 64  # … and so many more for each byte of packed cells: what 
 
 
 class KnownScenes(dict):
-    """The scenes that a file has told of so far, {start digest: scene}, and `room`: the cells that more may have."""
+    """The scenes that a file has told of so far, {start digest: scene}, its `stamps`, and `room`.
+
+    That is how many cells more of both may have.
+    """
 
     def __init__(self):
         super().__init__()
         self.room = FREE_CELLS
+        self.stamps = {}  # {digest: Stamp}
 
     @property
     def are_too_many(self):
@@ -45,7 +47,7 @@ class KnownScenes(dict):
         return self.room < 0
 
     def charge(self, values):
-        """Take the cells of a scene, as its record tells of them, from the room."""
+        """Take the cells of a scene or a stamp, as its record tells of them, from the room."""
         width, height = values["size"]
         told = values.get("cells", "")
         self.room += CELLS_PER_BYTE * (len(told) if isinstance(told, str) else 0) - width * height
@@ -55,7 +57,7 @@ def start_digest(scene):
     """Return 16 hex digits that name a scene's size, cells, rule and fixtures."""
     digest = hashlib.blake2b(f"{scene.shape} {encode_rule(scene.rule)} ".encode(), digest_size=8)
     digest.update("".join(f"{each} " for each in scene.fixtures).encode())
-    for cells in (*_bits(scene.cells, _depth(scene.rule)), *_bits(scene.colours, DEPTH)):
+    for cells in (*bits_of(scene.cells, _depth(scene.rule)), *bits_of(scene.colours, DEPTH)):
         digest.update(np.packbits(cells).tobytes())
     return digest.hexdigest()
 
@@ -80,8 +82,8 @@ def _spelled(scene, start):
         "title": scene.title,
         "notice": scene.notice,
         "size": size,
-        "cells": _packed(_bits(scene.cells, _depth(scene.rule))),
-        **({"colours": _packed(_bits(scene.colours, DEPTH))} if scene.colours is not None else {}),
+        "cells": packed(bits_of(scene.cells, _depth(scene.rule))),
+        **({"colours": packed(bits_of(scene.colours, DEPTH))} if scene.colours is not None else {}),
         "walls": scene.made_of,
         "rule": encode_rule(scene.rule),
         "speed": scene.speed,
@@ -98,17 +100,22 @@ def decode(table, known):
         table.allow(("again",))
         start = table.choice("again", tuple(known) or ("a scene told of before",))
         return known[start]
-    width, height = _size(table)
-    known.charge(table.values)
-    if known.are_too_many:
-        wanted = f"at most {known.room + width * height} more in a file of this size"
-        raise table.error("size", f"{width}×{height} cells", wanted)
+    check_room(table, known, *read_size(table))
     scene = _embedded(table) if "cells" in table else _shipped(table)
     known[start_digest(scene)] = scene
     return scene
 
 
-def _size(table):
+def check_room(table, known, width, height):
+    """Take the cells that a record tells of from the room; raise TableError where there is none left."""
+    known.charge(table.values)
+    if known.are_too_many:
+        wanted = f"at most {known.room + width * height} more in a file of this size"
+        raise table.error("size", f"{width}×{height} cells", wanted)
+
+
+def read_size(table):
+    """Return the (width, height) at `size`."""
     value = table.values.get("size")
     try:
         width, height = (parameters.SIDE.check(side) for side in value)
@@ -119,7 +126,7 @@ def _size(table):
 
 def _shipped(table):
     table.allow(SHIPPED)
-    name, size = table.choice("name", scene_names()), _size(table)
+    name, size = table.choice("name", scene_names()), read_size(table)
     scene = _load(name, size)
     if table.values.get("start") != start_digest(scene):
         raise table.error("start", shown(table.values.get("start")), f"{start_digest(scene)}: this {name} is another")
@@ -133,9 +140,9 @@ def _load(name, size):
 
 def _embedded(table):
     table.allow(EMBEDDED)
-    width, height = _size(table)
+    width, height = read_size(table)
     rule = decode_rule(table.table("rule"))
-    cells = _joined(_unpacked(table, "cells", width, height, _depth(rule)))
+    cells = cells_of_bits(unpacked(table, "cells", width, height, _depth(rule)))
     if cells.max() >= len(rule.materials):
         wanted = f"{width}×{height} cells, each of one of {', '.join(rule.materials)}"
         raise table.error("cells", f"code {cells.max()}, which no material has", wanted)
@@ -158,7 +165,7 @@ def _embedded(table):
 
 def _colours(table, cells):
     """Return the colours of the sand, uint8, that the record tells of."""
-    colours = _joined(_unpacked(table, "colours", *cells.shape[::-1], DEPTH))
+    colours = cells_of_bits(unpacked(table, "colours", *cells.shape[::-1], DEPTH))
     if (colours[cells != SAND] > 0).any():
         raise table.error("colours", "a colour where there is no sand", "colours of the sand in cells")
     return colours
@@ -167,41 +174,3 @@ def _colours(table, cells):
 def _depth(rule):
     """Return how many bits a cell has."""
     return rule.table.bits
-
-
-def _bits(numbers, depth):
-    """Return the bits of (H, W) uint8 numbers as bool arrays, the lowest first; none where there are no numbers."""
-    return () if numbers is None else [(numbers >> bit & 1).astype(bool) for bit in range(depth)]
-
-
-def _joined(bits):
-    """Return the (H, W) uint8 numbers, not writable, of bool arrays of their bits."""
-    numbers = sum(plane.view(np.uint8) << bit for bit, plane in enumerate(bits)).astype(np.uint8)
-    numbers.flags.writeable = False
-    return numbers
-
-
-def _packed(planes):
-    """Return (H, W) bool arrays as text."""
-    bits = b"".join(np.packbits(plane).tobytes() for plane in planes)
-    return base64.b64encode(zlib.compress(bits, 9)).decode()
-
-
-def _unpacked(table, key, width, height, number):
-    """Return the (height, width) bool arrays, not writable, that the text at `key` holds, so many of them."""
-    length = -(-width * height // 8)  # bytes
-    wanted = f"{number * length} bytes, packed, of {number} bits for each of {width}×{height} cells"
-    unpacker = zlib.decompressobj()
-    try:
-        bits = unpacker.decompress(base64.b64decode(table.values[key], validate=True), number * length + 1)
-    except (TypeError, ValueError, binascii.Error, zlib.error):
-        raise table.error(key, "damaged ones", wanted) from None
-    if len(bits) != number * length or not unpacker.eof:
-        raise table.error(key, "another number of them", wanted)
-    planes = []
-    for start in range(0, number * length, length):
-        part = np.frombuffer(bits[start : start + length], np.uint8)
-        plane = np.unpackbits(part, count=width * height).reshape(height, width).view(np.bool_)
-        plane.flags.writeable = False
-        planes.append(plane)
-    return planes

@@ -15,6 +15,7 @@ from game.world.sand.grain_account import NO_GRAINS
 from game.world.sand.material_codes import EMPTY
 from game.world.sand.patch import Patch, alike
 from game.world.sand.sand_colours import AMBER, DYES
+from game.world.sand.stamp import Stamp, put
 from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import cells_of, pour
 from game.world.scenes.hourglass_spec import Glass
@@ -24,6 +25,10 @@ ERASE, EMPTY_CELLS = "erase", "empty"  # the names of air where it is painted, a
 SHAPES = {"round": ROUND, "square": SQUARE, "diamond": DIAMOND}
 USUAL_SHAPE = "round"
 FIGURES = {"rectangle": RECTANGLE, "ellipse": ELLIPSE}
+ANCHORS = {  # the part of a lattice that stays where it is: halves of what is more across and down come before it
+    **{"top left": (0, 0), "top": (1, 0), "top right": (2, 0), "left": (0, 1), "middle": (1, 1), "right": (2, 1)},
+    **{"bottom left": (0, 2), "bottom": (1, 2), "bottom right": (2, 2)},
+}
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,6 +69,24 @@ class Fill:
     material: str  # its name, or ERASE
     place: tuple
     colour: str = AMBER  # of sand: one of DYES
+
+
+@dataclass(frozen=True, slots=True)
+class Paste:
+    """Puts a stamp into the world, its upper left cell at a place (column, row)."""
+
+    stamp: Stamp
+    place: tuple
+    air: bool = False  # its empty cells empty those below them
+
+
+@dataclass(frozen=True, slots=True)
+class Resize:
+    """Gives the lattice another size, and cuts off what lies outside of it."""
+
+    width: int  # cells
+    height: int
+    anchor: str  # a key of ANCHORS
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,7 +136,7 @@ class Load:
     seed: int
 
 
-IN_PLACE = Paint, Draw, Fill, Clear  # acts that change the planes of a world; others make new ones or leave them
+IN_PLACE = Paint, Draw, Fill, Paste, Clear  # acts that change the planes of a world; others make new ones or leave them
 
 
 class Applied(NamedTuple):
@@ -139,6 +162,12 @@ def perform(action, world, rule):
             return Applied(world, rule, *_draw(action, world))
         case Fill():
             return Applied(world, rule, *_fill(action, world))
+        case Paste():
+            return Applied(world, rule, *put(world, action.stamp, *cell(action.place), action.air))
+        case Resize():
+            resized = _resize(action, world)
+            grains = difference(resized.amounts, world.amounts)
+            return Applied(resized, rule, grains, resized.shape != world.shape)
         case Flip():
             before = world.same()
             world.flip()
@@ -237,6 +266,12 @@ def _reshape(reshape, world):
             cells = walls + poured
     world = world.within(cells, colours)
     return world, difference(world.amounts, before)
+
+
+def _resize(resize, world):
+    more = resize.width - world.shape[1], resize.height - world.shape[0]
+    right, down = (cells * halves // 2 for cells, halves in zip(more, ANCHORS[resize.anchor], strict=True))
+    return world.resized(resize.height, resize.width, right, down)
 
 
 def snap(place, diameter):

@@ -10,9 +10,10 @@ from game.world.rules.rule_json import decode_rule, encode_rule
 from game.world.sand import parameters
 from game.world.sand.parameters import Knob
 from game.world.sand.sand_colours import AMBER, DYES
-from game.world.scenes import hourglass_spec, scene_json
+from game.world.scenes import hourglass_spec, scene_json, stamp_json
 from game.world.scenes.fixture_tables import read_fixtures
 from game.world.sessions.action import (
+    ANCHORS,
     FIGURES,
     SHAPES,
     USUAL_SHAPE,
@@ -22,7 +23,9 @@ from game.world.sessions.action import (
     Flip,
     Load,
     Paint,
+    Paste,
     Reshape,
+    Resize,
     SetFixtures,
     SetRule,
     Turn,
@@ -111,11 +114,17 @@ RULE = Field(
     "rule", "rule", lambda table, known: decode_rule(table.table("rule")), lambda rule, known: encode_rule(rule)
 )
 SCENE = Field("scene", "scene", lambda table, known: scene_json.decode(table.table("scene"), known), scene_json.encode)
+STAMP = Field("stamp", "stamp", lambda table, known: stamp_json.decode(table.table("stamp"), known), stamp_json.encode)
 ACTS = {  # what an entry is told to do: the act, and its fields in the order in which they are spelled
     "paint": (Paint, (*BRUSH, FROM, TO)),
     "stroke": (Paint, BRUSH),  # of which the path says where
     "draw": (Draw, (_choice("figure", FIGURES), MATERIAL, FROM, TO, _number("edge", EDGE, 0), OVER_WALLS, COLOUR)),
     "fill": (Fill, (MATERIAL, _place("place", "place"), COLOUR)),
+    "paste": (Paste, (STAMP, _place("place", "place"), _flag("air"))),
+    "resize": (
+        Resize,
+        (_number("width", parameters.SIDE), _number("height", parameters.SIDE), _choice("anchor", ANCHORS)),
+    ),
     "turn": (Turn, (_number("quarters", QUARTERS),)),
     "reshape": (Reshape, (GLASS, _flag("refill"))),
     "fixtures": (SetFixtures, (FIXTURES,)),

@@ -7,9 +7,10 @@ from game import World, advance, load_rule
 from game.study import books
 from game.world.rules.definition import rule_names
 from game.world.sand.fixtures import Fixture
-from game.world.sessions.action import Clear, Draw, Fill, Flip, Paint, SetFixtures, Turn, perform
+from game.world.sessions.action import Clear, Draw, Fill, Flip, Paint, Paste, Resize, SetFixtures, Turn, perform
 from game.world.sessions.moment import account_of
 from tests.cells import strewn
+from tests.world.random_sessions import stamp_of
 
 
 @pytest.fixture(params=rule_names())
@@ -63,6 +64,8 @@ def random_act(rule, generator):
         Paint(material, start, end, diameter, over_walls, only=only),
         Draw("ellipse", material, start, end, 0, over_walls),
         Fill(material, start),
+        Paste(stamp_of(int(generator.integers(10))), start, over_walls),
+        Resize(66, int(generator.integers(48, 60)), "left"),
         SetFixtures((*taps, Fixture("drain", -3, 30, 40, 2, 2), Fixture("drain", 50, 9, 2, 30))),
         Turn(1),
         Flip(),
@@ -75,7 +78,7 @@ def test_the_account_balances_after_acts_taps_and_drains(rule, number):
     generator = np.random.default_rng(number)
     world = strewn(rule, number, 50, 66, lumps=2)
     account = account_of(world, rule)
-    for _ in range(30):
+    for _ in range(40):
         world, _, grains, _ = perform(random_act(rule, generator), world, rule)
         account = account.booked(grains)
         assert account.balanced(world)

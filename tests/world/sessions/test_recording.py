@@ -20,14 +20,27 @@ from game.world.rules.rule_json import encode_rule
 from game.world.sand.fixtures import Fixture
 from game.world.scenes import scene_json
 from game.world.scenes.scene_json import start_digest
-from game.world.sessions.action import Clear, Draw, Fill, Flip, Load, Paint, SetFixtures, SetRule, Turn, snap
+from game.world.sessions.action import (
+    Clear,
+    Draw,
+    Fill,
+    Flip,
+    Load,
+    Paint,
+    Paste,
+    Resize,
+    SetFixtures,
+    SetRule,
+    Turn,
+    snap,
+)
 from game.world.sessions.history import Entry
 from game.world.sessions.journal import Journal
 from game.world.sessions.recording import ReplayError, load_replay, parse
 from game.world.sessions.session import Session
 from game.world.sessions.session_format import LineWriter
 from tests.saved import recording_of, save_replay, to_bytes
-from tests.world.random_sessions import SCENES, actions, played, plays, state
+from tests.world.random_sessions import SCENES, actions, played, plays, stamp_of, state
 
 ROOT = Path(__file__).parents[3]
 GOLDEN = {  # what the demos end in, on every machine; tests/data/make_replays.py makes them
@@ -57,6 +70,7 @@ def sample():
         Paint("sand", (5, 5), (9, 6), 5, spray=7),
     ]
     acts += [SetFixtures((Fixture("tap", 3, 2, 4, 1, 3), Fixture("drain", -1, 5, 9, 2))), Turn(1), Turn(3)]
+    acts += [Paste(stamp_of(4), (3, -2)), Paste(stamp_of(4), (9, 5), True), Resize(25, 40, "bottom right")]
     for act in acts:
         session.do(act)
         session.timeline.run(20)
