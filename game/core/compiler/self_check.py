@@ -8,9 +8,10 @@ from game.core.chance import DRAWS
 from game.core.compiler.effects import EMPTY, effect_of
 from game.core.compiler.plan import ALWAYS, CHANCE, thresholds_of
 from game.core.compiler.vector_ir import chances_of
+from game.core.planes import LINE
 from game.core.rule_table import FAIR_STEP, LAYER_STEP, corners
 
-BLOCKS = 4096  # at least, so that each state is drawn for more than once where there are few
+BLOCKS = 2048  # on either face at least, so that each state is drawn for more than once where there are few
 NEARLY = 2**32 - 1  # a threshold that nearly all random numbers are below
 
 _WORD = 64
@@ -20,18 +21,30 @@ _MASK = 2**64 - 1
 
 def agrees(address, table, plan, kinds, payload, lanes):
     """Return whether the pass at an address does to all block states what its RuleTable says, for some thresholds."""
-    used = table.used_states
-    blocks = -(-max(BLOCKS, len(used)) // BLOCKS) * BLOCKS
-    generator = np.random.default_rng(blocks)
+    generator = np.random.default_rng(len(table.used_states))
+    states, origin, may = _blocks(table.used_states, generator)
+    belongings = generator.integers(0, 2**payload, (4, len(states)))
     for bound in _bounds(table, generator):
-        states = used[np.arange(blocks) % len(used)]
-        belongings = generator.integers(0, 2**payload, (4, blocks))
-        origin = generator.integers(0, 2**64, blocks // _WORD, np.uint64)
-        may = generator.random(blocks) < 0.9
         found = _run(address, table, chances_of(plan, bound), states, belongings, payload, origin, may)
         if not _same(found, _expected(table, kinds, bound, states, belongings, origin, may)):
             return False
     return True
+
+
+def _blocks(used, generator):
+    """Return (states of blocks, origin of each word of them, which take part), all in words.
+
+    Those that take part have each of the `used` states as often on one face of the fair bit as on the other.
+    """
+    each = len(used) * -(-BLOCKS // len(used))
+    words = -(-2 * each * 9 // 8 // (_WORD * LINE)) * LINE
+    origin = generator.integers(0, 2**64, words, np.uint64)
+    states, may = generator.choice(used, words * _WORD), np.zeros(words * _WORD, bool)
+    faces = _bits(origin, FAIR_STEP)
+    for face in (0, 1):
+        places = np.flatnonzero(faces == face)[:each]
+        states[places], may[places] = np.resize(used, each), True
+    return states, origin, may
 
 
 def _bounds(table, generator):
@@ -76,11 +89,13 @@ def _expected(table, kinds, bound, states, belongings, origin, may):
     """Return (blocks after, belongings after, where those mean something, what a pass returns)."""
     after, kept, stirred = states.copy(), belongings.copy(), False
     free, face = may.copy(), _bits(origin, FAIR_STEP)
+    used, taking = table.used_states, np.flatnonzero(may)
+    by_state = taking[np.argsort(states[taking], kind="stable")].reshape(len(used), -1)
     for number, claims in enumerate(table.layers):
         uniform = _uniform(origin, number)
         open_to_all = free.copy()
         for claim in claims:
-            blocks = _blocks_with(states, claim.states)
+            blocks = by_state[np.searchsorted(used, claim.states)].ravel()
             blocks = blocks[open_to_all[blocks]]
             stirred |= len(blocks) > 0
             blocks = blocks if claim.face is None else blocks[face[blocks] == claim.face]
@@ -96,15 +111,6 @@ def _expected(table, kinds, bound, states, belongings, origin, may):
                 low = max(low, high)
     meant = np.array(corners(after, table.bits)) != EMPTY
     return after, kept, meant, int(stirred) + 2 * bool((may & ~free).any())
-
-
-def _blocks_with(states, some):
-    """Return which of the blocks have one of some states; the states of all blocks rise again and again."""
-    falls = np.flatnonzero(states[1:] < states[:-1])
-    period = falls[0] + 1 if len(falls) else len(states)
-    first = np.searchsorted(states[:period], some)
-    blocks = (first + np.arange(0, len(states), period)[:, None]).ravel()
-    return blocks[blocks < len(states)]
 
 
 def _uniform(origin, layer):

@@ -108,6 +108,21 @@ def test_faces_the_other_way_round_are_seen(made):
     assert not agrees(made, with_layers(made[0], layers))
 
 
+def test_each_state_is_looked_at_on_each_face():
+    of_three_bits = compiled(random_table(np.random.default_rng(93), 3), payload=0)
+    table, checked = of_three_bits[0], 0
+    for at, claim in enumerate(table.layers[0]):
+        after = claim.outcomes[0].after
+        if claim.face is None or not CHANCES[claim.outcomes[0].slot]:
+            continue
+        for state in np.flatnonzero(after != claim.states)[::24]:
+            still = np.where(np.arange(len(after)) == state, claim.states, after)
+            other = replace(claim, outcomes=(replace(claim.outcomes[0], after=still), *claim.outcomes[1:]))
+            assert not agrees(of_three_bits, with_claim(table, 0, at, [other]))
+            checked += 1
+    assert checked > 10
+
+
 def test_what_belongs_to_a_cell_and_does_not_follow_it_is_seen():
     def staying(gates):
         still = [layer._replace(moves=[{} for _ in layer.moves]) for layer in gates.layers]
