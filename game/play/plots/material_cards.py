@@ -66,6 +66,8 @@ def books_card(theme, rect, account, amounts, books):
     top = room.y
     for book, start, came, gone, now in lines:
         words, spelt = _words(theme, book, room.width), _spelt(start, came, gone, now, book.but)
+        if theme.width(spelt, look.SMALL) > room.width:
+            spelt = spelt.replace(" + 0 ", " ").replace(" – 0 ", " ")
         one = theme.width(f"{words}  {spelt}", look.SMALL) <= room.width
         if top + high * (1 if one else 2) > room.bottom:
             break

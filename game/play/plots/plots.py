@@ -2,13 +2,14 @@
 
 import math
 import time
-from itertools import pairwise
+from itertools import accumulate, pairwise
 
 import pygame
 
 from game.play.plots import charts
 from game.play.plots.audit_card import card, heights, widths
 from game.play.plots.material_cards import amounts_card, books_card
+from game.play.plots.reactions_card import reactions_card
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.view.swatches import swatches_of
@@ -21,8 +22,10 @@ from game.world.sessions.session import BUDGET_NS
 SAMPLE_S = 0.25
 SHARE = 50  # sampling may take one part in 50 of the time; on a huge lattice it is done less often
 LONGEST_S = 5.0  # … but not for longer than this
+WATCH_SHARE = 20  # counting the reactions of one iteration in each frame may take one part in 20
 GAP = 6  # pixels at scale 1 between cards
 LEAST_CARD = 144  # pixels at scale 1: width of a card whose title and value have room
+PARTS = 3, 3, 3, 2  # how the cards of several materials share the rest of the length
 MOST_AUDIT = 0.44  # of the cards' length, that the audit of coloured sand may take
 
 
@@ -36,7 +39,7 @@ class Plots:
         self._set_row = None  # (scene, row): where the player wants to measure in that scene
         self.measurements = None  # since the plots were opened
         self._drawing = self._drawn = None
-        self._since_s = self._next_s = 0.0
+        self._since_s = self._next_s = self._next_watch_s = 0.0
         self._slowest_ns = 0
 
     @property
@@ -76,6 +79,8 @@ class Plots:
         now, found = self._sessions.now, self.measurements
         fits = found and (found.session, found.row, found.codes) == (now, self.measured_row, now.world.codes)
         fits = fits and len(found.heights) == now.world.shape[1]
+        if fits:
+            self._watch(now_s)
         if fits and now_s < self._next_s:
             return
         begin = time.perf_counter()
@@ -84,6 +89,14 @@ class Plots:
         self.measurements.follow(now_s - self._since_s, self._slowest_ns / 1e6)
         self._next_s = now_s + min(max(SAMPLE_S, SHARE * (time.perf_counter() - begin)), LONGEST_S)
         self._slowest_ns, self._drawing = 0, None
+
+    def _watch(self, now_s):
+        """Count reactions if there are any to count and it is time to."""
+        if now_s < self._next_watch_s or self._sessions.now.rule.codes.is_sand:
+            return
+        begin = time.perf_counter()
+        self.measurements.watch()
+        self._next_watch_s = now_s + min(WATCH_SHARE * (time.perf_counter() - begin), LONGEST_S)
 
     def _look_for_room(self):
         lacked, self._lacks_room = self._lacks_room, self.shown and self._display.layout.plots is None
@@ -143,7 +156,7 @@ class Plots:
         """Return the functions that draw the cards: of sand how it flows and lies, of others how much there is."""
         if self._sessions.now.rule.codes.is_sand:
             return self._flow, self._filling, self._pile, self._frames, self._audit
-        return self._amounts, self._books, self._frames, self._audit
+        return self._amounts, self._reactions, self._books, self._frames, self._audit
 
     def _amounts(self, rect):
         rule = self._sessions.now.rule
@@ -151,6 +164,10 @@ class Plots:
         samples = [(each.now, each.amounts) for each in self.measurements.samples]
         colours = swatches_of(self._display.theme.colours, rule.definition.materials)
         return amounts_card(self._display.theme, rect, samples, names, colours)
+
+    def _reactions(self, rect):
+        reactions, speed = self.measurements.reactions(), self._sessions.now.clock.speed
+        return reactions_card(self._display.theme, rect, self._nows(), reactions, speed)
 
     def _books(self, rect):
         session = self._sessions.now
@@ -170,9 +187,9 @@ class Plots:
             )
             audit = max(audit, next((side + gap for side in wanted if side + gap <= most), most))
         rest = length - audit
-        parts = count - 1 if self._sessions.now.rule.codes.is_sand else count  # the first of other cards has two
-        starts = (0, *range(parts - count + 2, parts + 1))
-        return [*(rest * start // parts for start in starts), length]
+        parts = (1,) * (count - 1) if self._sessions.now.rule.codes.is_sand else PARTS
+        starts = [0, *accumulate(parts)]
+        return [*(rest * start // sum(parts) for start in starts), length]
 
     def _flow(self, rect):
         flows = self.measurements.flows()

@@ -27,6 +27,18 @@ class ActiveBands:
             self.schedule, self.iteration = schedule, iteration
         self.stamp += 1
 
+    def follow(self, other):
+        """Know what the ActiveBands of a world of the same cells know of which are quiet."""
+        self.quiet[:] = other.quiet
+        self.schedule, self.iteration = other.schedule, other.iteration
+
+    def awake(self, schedule, iteration):
+        """Return which bands may change in one iteration of a schedule: a bool array."""
+        if (schedule, iteration) != (self.schedule, self.iteration):
+            return np.ones(len(self.quiet), bool)
+        quiet = np.pad(self.quiet >= CYCLE, 1, mode="edge")
+        return ~(quiet[:-2] & quiet[1:-1] & quiet[2:])
+
     def wake(self, top=0, bottom=None):
         """Note a change from outside in the lattice rows from `top` to before `bottom` (default: all)."""
         bands = slice(

@@ -1,13 +1,16 @@
 """Measurements of a session over time; when there are too many, every other one is dropped."""
 
 import math
+from collections import Counter
 from itertools import pairwise
 from typing import NamedTuple
 
 from game.world.sand.measure import grains_above, pile_heights, slope_degrees
+from game.world.sand.reaction_counts import coming_reactions
 from game.world.sand.sand_colours import COLOURS
 from game.world.sessions.action import SetRule
 
+LATELY = 8  # samples by which reactions are put in order
 MOST = 1000  # samples kept: when there are more, every other one is dropped
 _COLUMNS = (
     "iteration",
@@ -34,6 +37,7 @@ class Measurement(NamedTuple):
     frame_ms: float  # the slowest frame since the sample before
     act: object  # the last act before
     amounts: tuple  # the grains of each colour, or in another world the cells of each material
+    reactions: dict  # {name of an event: how often it has made other materials since measuring began, about}
 
 
 class Measurements:
@@ -44,6 +48,14 @@ class Measurements:
         self.samples = []
         self._loaded_at = session.timeline.moment.loaded_at
         self.heights = pile_heights(session.world, row)  # (W,) int64: the pile at the last sample
+        self._watched, self._watched_at, self._reacted = 0, None, Counter()  # iterations since the last sample
+
+    def watch(self):
+        """Count the reactions of the coming iteration; it stands for those not watched until the next sample."""
+        session = self.session
+        if session.now != self._watched_at:
+            self._reacted += coming_reactions(session.world, session.rule)
+            self._watched, self._watched_at = self._watched + 1, session.now
 
     def follow(self, seconds, frame_ms):
         """Take a sample; what was sampled of a future that is left, or of another scene, is forgotten."""
@@ -55,11 +67,33 @@ class Measurements:
         above, self.heights = grains_above(world, self.row), pile_heights(world, self.row)
         height, slope = int(self.heights.max()), slope_degrees(self.heights)
         act = session.timeline.history.latest(session.now)
-        amounts = world.amounts
-        below = world.grains - above
-        self.samples.append(Measurement(world.iteration, seconds, above, below, height, slope, frame_ms, act, amounts))
+        now, amounts, below = world.iteration, world.amounts, world.grains - above
+        here = now, seconds, above, below, height, slope, frame_ms, act, amounts
+        self.samples.append(Measurement(*here, self._reactions(now)))
         if len(self.samples) > MOST:
             self.samples = _thinned(self.samples)
+
+    def _reactions(self, now):
+        """Return how often each event has come about up to iteration `now`, and begin to count for the next sample."""
+        last = self.samples[-1] if self.samples else None
+        each = (now - last.now) / self._watched if last and self._watched else 0.0
+        told = Counter(last.reactions if last else ()) + Counter({name: n * each for name, n in self._reacted.items()})
+        self._watched, self._reacted = 0, Counter()
+        return dict(told)
+
+    def reactions(self):
+        """Return {name of an event: [how often it came about in an iteration before each sample]}.
+
+        Those come first that came about most in the last samples.
+        """
+        told = [each.reactions for each in self.samples]
+        spans = [other.now - one.now for one, other in pairwise(self.samples)]
+        found = {}
+        for name in told[-1] if told else ():
+            totals = [each.get(name, 0.0) for each in told]
+            rates = [(other - one) / span for (one, other), span in zip(pairwise(totals), spans, strict=True)]
+            found[name] = [math.nan, *rates]
+        return dict(sorted(found.items(), key=lambda each: (-sum(each[1][1:][-LATELY:]), -told[-1][each[0]])))
 
     def flows(self):
         """Return the grains per iteration that went below the row before each sample; NaN where an act fell between."""
@@ -74,12 +108,15 @@ class Measurements:
         """What the numbers of a row are."""
         if self.codes.is_sand:
             return *_COLUMNS, *(f"{colour}_grains" for colour in COLOURS)
-        return *_COLUMNS, *(f"{name.replace(' ', '_')}_cells" for name in self.codes.names)
+        cells = (f"{name.replace(' ', '_')}_cells" for name in self.codes.names)
+        return *_COLUMNS, *cells, *(f"{name.replace(' ', '_')}_per_iteration" for name in self.reactions())
 
     def rows(self):
         """Return the story as rows of numbers, as `columns` names them."""
+        reactions = zip(*self.reactions().values(), strict=True) if self.reactions() else ((),) * len(self.samples)
         return [
-            (*each[:4], flow, *each[4:7], *each.amounts) for each, flow in zip(self.samples, self.flows(), strict=True)
+            (*each[:4], flow, *each[4:7], *each.amounts, *rates)
+            for each, flow, rates in zip(self.samples, self.flows(), reactions, strict=True)
         ]
 
 

@@ -10,11 +10,13 @@ import pytest
 
 from game import load_rule
 from game.play.plots import charts
+from game.play.plots.reactions_card import figure
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.theme import Theme
 from game.play.window.layout import WindowLayout
-from game.world.sessions.action import Clear, Paint, SetRule
+from game.world.sessions import measurements
+from game.world.sessions.action import Clear, Draw, Paint, SetRule
 from tests.play.player import Player
 
 
@@ -312,3 +314,33 @@ def test_the_forecast_of_any_material_is_chosen_and_named():
     assert "Oil at iteration" in player.words()
     player.parts.close()
     pygame.display.quit()
+
+
+def test_reactions_are_told_by_name_with_how_often_they_come_about():
+    player = Player("volcano", (1280, 1500))
+    player.session.do(Draw("rectangle", "water", (30.0, 20.0), (90.0, 60.0)))
+    player.session.do(Draw("rectangle", "lava", (50.0, 20.0), (70.0, 40.0)))
+    player.parts.commands.give("view.toggle_plots")
+    player.frame()
+    assert "Nothing has reacted yet." in player.words()
+    player.wait(60)
+    player.hold_time()
+    player.wait(20)
+    rates, written = player.parts.plots.measurements.reactions(), player.words()
+    assert rates["water quenches lava"][-1] >= 0 and "water quenches lava" in written
+    player.parts.close()
+    pygame.display.quit()
+
+
+def test_closed_plots_and_those_of_sand_count_no_reactions(glass, monkeypatch):
+    monkeypatch.setattr(measurements, "coming_reactions", None)
+    glass.parts.commands.give("view.toggle_plots")
+    glass.wait(20)
+    glass.parts.commands.give("view.toggle_plots")
+    glass.session.do(SetRule(load_rule("alchemy")))
+    glass.wait(20)
+
+
+@pytest.mark.parametrize(("number", "words"), [(0, "0"), (0.04, "0.0"), (9.94, "9.9"), (12.6, "13"), (99_400, "99k")])
+def test_a_rate_is_short(number, words):
+    assert figure(number) == words

@@ -7,10 +7,11 @@ import math
 import numpy as np
 import pytest
 
-from game import Rule, load_scene
+from game import Rule, load_rule, load_scene
 from game.world.sand.measure import grains_above, pile_heights, slope_degrees
+from game.world.sand.reaction_counts import coming_reactions
 from game.world.sessions import measurements
-from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule
+from game.world.sessions.action import Clear, Draw, Flip, Load, Paint, SetRule
 from game.world.sessions.measurements import Measurements
 from game.world.sessions.session import Session
 
@@ -93,3 +94,58 @@ def test_a_fresh_scene_is_measured_from_its_own_start(glass):
     session.timeline.run(20)
     one.follow(2.0, 1.0)
     assert [each.now for each in one.samples] == [0, 20]
+
+
+def lava_in_water():
+    session = Session(load_scene("blank", (64, 40)), seed=5)
+    session.do(SetRule(load_rule("alchemy")))
+    session.do(Draw("rectangle", "water", (0.0, 10.0), (63.0, 39.0)))
+    session.do(Draw("rectangle", "lava", (20.0, 0.0), (40.0, 20.0)))
+    return session
+
+
+def test_reactions_are_counted_between_samples_and_told_by_name():
+    session = lava_in_water()
+    one, stone = Measurements(session, 0), session.world.codes.code("stone")
+    hardens = "water quenches lava"
+    one.follow(0.0, 1.0)
+    for second in (1.0, 2.0):
+        for _ in range(150):
+            one.watch()
+            session.timeline.run(1)
+        one.follow(second, 1.0)
+    quenched = [each.reactions.get(hardens, 0) for each in one.samples]
+    others = [sum(n for name, n in each.reactions.items() if name in ("lava cools",)) for each in one.samples]
+    formed = [each.amounts[stone] - one.samples[0].amounts[stone] for each in one.samples]
+    assert [a + b for a, b in zip(quenched, others, strict=True)] == pytest.approx(formed) and quenched[2] > 0
+    rates = one.reactions()[hardens]
+    assert math.isnan(rates[0]) and [rate * 150 for rate in rates[1:]] == pytest.approx(np.diff(quenched).tolist())
+    assert one.columns[-len(one.reactions()) :] == tuple(
+        f"{n.replace(' ', '_')}_per_iteration" for n in one.reactions()
+    )
+    assert {len(row) for row in one.rows()} == {len(one.columns)}
+
+
+def test_iterations_not_watched_are_taken_to_be_as_those_watched():
+    session = lava_in_water()
+    session.timeline.run(5)
+    one = Measurements(session, 0)
+    one.follow(0.0, 1.0)
+    one.watch()
+    one.watch()
+    seen = coming_reactions(session.world, session.rule)
+    session.timeline.run(10)
+    one.follow(1.0, 1.0)
+    assert seen and one.samples[-1].reactions == pytest.approx({name: 10 * n for name, n in seen.items()})
+
+
+def test_a_future_that_was_left_takes_its_reactions_along():
+    session = lava_in_water()
+    one = Measurements(session, 0)
+    for second in range(4):
+        one.watch()
+        session.timeline.run(50)
+        one.follow(second, 1.0)
+    session.seek(120)
+    one.follow(9.0, 1.0)
+    assert one.samples[-1].reactions == one.samples[-2].reactions
