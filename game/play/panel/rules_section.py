@@ -2,11 +2,13 @@
 
 from dataclasses import replace
 
+from game.play.ui.slider_scale import SliderScale
 from game.play.view.swatches import striped, swatches_of
 from game.world.rules.dials import dials_of
 from game.world.rules.rule import PROBABILITIES, SAND, SCHEDULES, Rule
 from game.world.sand import parameters
 
+ENDS, RARE_ENDS = ("never", "always"), ("never", "often")  # of a chance
 RARE = 0.05  # below it a chance has a slider of its own length, or no hand could set it
 SPAN = 20  # the length of that, in usual values
 SCHEDULE_TIP = (
@@ -79,7 +81,8 @@ class RulesSection:
         words = label or dial.label
         name = knob.name if "." in knob.name else words
         if 0 < default < RARE and value <= SPAN * default:
-            knob = replace(knob, high=SPAN * default)
+            knob = replace(knob, high=SPAN * default, ends=RARE_ENDS)
+        knob = replace(knob, ends=knob.ends or ENDS)
         turned = ui.slider_with_picture(
             words, knob, value, before, after, default=default, tip=tip, name=name, spell="{:.3g}".format
         )
@@ -110,7 +113,7 @@ class RulesSection:
             self._rule, self._p, self._bias = rule, rule.p, rule.bias
         usual = usual if usual.is_sand else Rule()
         tip = "How readily grains topple. A lower p is more friction: piles are steeper."
-        p = ui.slider("p", parameters.P, self._p, default=usual.p, marks=parameters.PAPER_P, tip=tip)
+        p = ui.slider("Friction", parameters.P, self._p, usual.p, parameters.PAPER_P, tip=tip, name="p", spell=_spell_p)
         self._play(ui, self._leant(rule, p, self._bias))
         self._lean_open = ui.fold("Bias, schedule and file", self._lean_open, tip=LEAN_TIP)
         if self._lean_open:
@@ -136,6 +139,10 @@ class RulesSection:
             return rule
         self._p, self._bias, self._rule = p, bias, rule.toppling(p, bias)
         return self._rule
+
+
+def _spell_p(p):
+    return f"p = {SliderScale(parameters.P).spell(p)}"
 
 
 def _choose_schedule(ui, rule):

@@ -20,6 +20,7 @@ class TimeSection:
         session.clock.speed = ui.slider(
             "Speed", parameters.SPEED, session.clock.speed, default=session.scene.speed, log=True, tip=tip
         )
+        ui.skip(ui.theme.px(2))
         ui.row(2)
         label = "Resume" if session.paused else "Pause"
         if ui.button(label, key="Space", name="Pause", tip="Stops time, or lets it run again"):

@@ -1,4 +1,4 @@
-"""The slider: label, track with a round handle, value; and its kin with a picture of what a block does."""
+"""The slider: label, track with a round handle and named ends, value; and its kin with a picture of a block."""
 
 import pygame
 
@@ -11,6 +11,8 @@ HANDLE = 7  # radius at scale 1
 TALL_ROW = 40  # a slider in two lines: words above, track below
 VALUE_WIDTH = 46
 WITH_UNIT = 68  # … where the value has a unit
+ENDS_ROW = 32  # of a slider in one line whose ends have names
+UP, DOWN = 10, 6  # from the track of such a row up to its top, and down to the words at its ends
 CELL = 11  # of a picture
 NARROW = 230  # a column narrower than this has no room for words and track in one line
 
@@ -36,18 +38,21 @@ def slider(
     spell: returns the text of a value; the scale's way if None.
     """
     scale = SliderScale(knob, log, step)
-    row, words, track, number, lines = _lay_out(ui, label, picture, WITH_UNIT if scale.unit(value) else VALUE_WIDTH)
-    top = words.bottom if words.bottom < row.bottom else row.y
+    spell = spell or scale.spell
+    row, words, track, number, lines = _lay_out(ui, label, picture, _value_width(ui, spell, knob), knob.ends)
+    top = words.bottom if words.bottom < track.y else row.y
     zone = pygame.Rect(track.x, top, track.width, row.bottom - top).inflate(2 * ui.theme.px(HANDLE), 0)
     me = ui.claim(name or label, ui.bleed(row), parts=(zone,), keys=SLIDER_KEYS, tip=_tip(knob) if tip is None else tip)
     for event in me.events:
         value = _moved(scale, value, event, track, knob.default if default is None else default)
     for place, line, size in lines:
         ui.stroke(draw_list.words, place, line, size, look.TEXT, 0)
-    ui.stroke(draw_list.words, number, (spell or scale.spell)(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
+    ui.stroke(draw_list.words, number, spell(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
     if picture:
         _draw_picture(ui, row, picture)
     _draw_track(ui, track, scale, value, marks, me)
+    if knob.ends:
+        _draw_ends(ui, track, knob.ends)
     return value
 
 
@@ -75,19 +80,26 @@ def _moved(scale, value, event, track, default):
     return scale.at(0.0 if event.key == pygame.K_HOME else 1.0)
 
 
-def _lay_out(ui, label, picture, value_width):
+def _value_width(ui, spell, knob):
+    """Return how much room the values of a knob are given, in pixels: more where they are spelled with a unit."""
+    usual = ui.theme.px(VALUE_WIDTH)
+    widest = max(ui.theme.width(spell(end), look.BODY) for end in (knob.low, knob.high))
+    return usual if widest <= usual else ui.theme.px(WITH_UNIT)
+
+
+def _lay_out(ui, label, picture, value_width, ends):
     """Return the rects of the row, the words, the track (as far as the handle's centre goes) and the number.
 
     With them return the label's lines, as (rect, text, size): one that is too long is small and in several.
     """
     px = ui.theme.px
-    handle, value_width, label_width = px(HANDLE), px(value_width), ui.label_width
+    handle, label_width = px(HANDLE), ui.label_width
     if not picture and ui.width >= px(NARROW):
-        row = ui.place(px(ROW), 0)
-        words = pygame.Rect(row.x, row.y, label_width - px(4), row.height)
-        number = pygame.Rect(row.right - value_width, row.y, value_width, row.height)
+        row, high = ui.place(px(ENDS_ROW if ends else ROW), 0), px(2 * UP if ends else ROW)
+        words = pygame.Rect(row.x, row.y, label_width - px(4), high)
+        number = pygame.Rect(row.right - value_width, row.y, value_width, high)
         left = row.x + label_width + handle
-        track = pygame.Rect(left, row.centery, number.x - handle - left, 0)
+        track = pygame.Rect(left, words.centery, number.x - handle - left, 0)
         return row, words, track, number, [(words, label, look.BODY)]
     aside, line = _picture_width(px) + px(10) if picture else 0, px(22)
     lines, size, high = (label,), look.BODY, line
@@ -95,7 +107,8 @@ def _lay_out(ui, label, picture, value_width):
     if ui.theme.width(label, look.BODY) > room:
         lines, size, high = ui.theme.lines(label, look.SMALL, room), look.SMALL, ui.theme.line_height(look.SMALL)
     more = max(0, len(lines) * high - line)
-    row = ui.place(px(TALL_ROW) + more, px(4))
+    below = px(ENDS_ROW - 2 * UP) if ends else 0
+    row = ui.place(px(TALL_ROW) + more + below, px(4))
     left = row.x + aside
     number = pygame.Rect(row.right - value_width, row.y, value_width, line)
     words = pygame.Rect(left, row.y, number.x - left, line + more)
@@ -142,6 +155,16 @@ def _draw_track(ui, track, scale, value, marks, me):
     ui.stroke(draw_list.box, filled, look.BRIGHT_ACCENT if me.hover else look.ACCENT, half)
     handle = pygame.Rect(x - radius, track.y - radius, 2 * radius, 2 * radius)
     ui.stroke(draw_list.disc, handle, look.BRIGHT_HANDLE if me.hover else look.HANDLE)
+
+
+def _draw_ends(ui, track, ends):
+    """Write what the ends of the track are called below it, each word in its half."""
+    radius, high = ui.theme.px(HANDLE), ui.theme.line_height(look.SMALL)
+    half = track.width // 2 + radius
+    top = track.y + ui.theme.px(DOWN)
+    for number, word in enumerate(ends):
+        place = pygame.Rect(track.x - radius + number * half, top, half, high)
+        ui.stroke(draw_list.words, place, word, look.SMALL, look.FAINT, number)
 
 
 def _x(track, fraction):

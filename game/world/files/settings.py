@@ -26,7 +26,7 @@ ROWS = (
     Switch("reduced_motion", False, "leave out turns, glows and fades"),
     Switch("sound", False, "the hiss of flowing sand"),
     Switch("chime", True, "a bell when the timer ends"),
-    Knob("volume", 0.5, 0.0, 1.0, "", "how loud the sand is"),
+    Knob("volume", 0.5, 0.0, 1.0, "", "how loud the sand is", ends=("soft", "loud")),
     Names("hints_seen", "hints that were shown, and are not shown again"),
     Knob("window_width", 0, 0, 16384, "pixels", "width of the window; 0 suits scene and screen", whole=True),
     Knob("window_height", 0, 0, 16384, "pixels", "height of the window; 0 suits scene and screen", whole=True),

@@ -18,6 +18,7 @@ class Knob:
     unit: str
     meaning: str
     whole: bool = False  # takes whole numbers only
+    ends: tuple = ()  # what low and high are called, in a word each, where the number alone says little
 
     def check(self, value):
         """Return `value` as a float (an int for a whole knob), or raise ValueError saying what is wanted."""
@@ -50,20 +51,35 @@ def _spelt(number):
 
 
 PAPER_P = (0.25, 0.5, 0.75, 1.0)  # the four values of the paper
-P = Knob("p", 1.0, 0.0, 1.0, "", "how readily grains topple: lower is more friction")
-BIAS = Knob("bias", 0.0, -1.0, 1.0, "", "which side grains favour: left (below 0) or right (above 0)")
+P = Knob("p", 1.0, 0.0, 1.0, "", "how readily grains topple: lower is more friction", ends=("sticky", "runny"))
+BIAS = Knob(
+    "bias", 0.0, -1.0, 1.0, "", "which side grains favour: left (below 0) or right (above 0)", ends=("left", "right")
+)
 SIDE = Knob("size", 480, 1, 16384, "cells", "width or height of the lattice", whole=True)
 SEED = Knob("seed", 0, 0, 2**64 - 1, "", "seed of the random numbers: each gives another run", whole=True)
-SPEED = Knob("speed", 240, 1, 1_000_000, "iterations per second", "how fast the sand runs")
-EVERY = Knob("every", 4, 1, 100_000, "iterations", "from one grain of a tap to the next", whole=True)
+SPEED = Knob("speed", 240, 1, 1_000_000, "iterations per second", "how fast the sand runs", ends=("slow", "fast"))
+EVERY = Knob(
+    "every", 4, 1, 100_000, "iterations", "from one grain of a tap to the next", whole=True, ends=("gushes", "drips")
+)
 CELL = Knob("cell", 4, 1, 64, "pixels", "width of one cell on the screen", whole=True)
-BRUSH = Knob("brush", 6, 1, 200, "cells", "diameter of the brush", whole=True)
+BRUSH = Knob("brush", 6, 1, 200, "cells", "diameter of the brush", whole=True, ends=("fine", "broad"))
 UI_SCALE = Knob("ui-scale", 1.0, 0.75, 3.0, "", "size of the panel and its text")
 FRAMES = Knob("frames", 240, 1, 1_000_000, "frames", "how many frames to run", whole=True)
 ITERATIONS = Knob("iterations", 0, 0, 2**62, "", "how many iterations to run", whole=True)
 RUNS = Knob("runs", 10_000, 1, 10**9, "", "how many independent runs a forecast counts", whole=True)
-AHEAD = Knob("ahead", 200, 1, 10_000, "iterations", "how far ahead a forecast looks", whole=True)
-ROW = Knob("row", 0, 0, SIDE.high, "cells", "a row of the lattice, counted from the top", whole=True)
+AHEAD = Knob("ahead", 200, 1, 10_000, "iterations", "how far ahead a forecast looks", whole=True, ends=("soon", "late"))
+ROW = Knob(
+    "row", 0, 0, SIDE.high, "cells", "a row of the lattice, counted from the top", whole=True, ends=("top", "bottom")
+)
 MOMENT = Knob("at", 0, 0, 2**53, "iterations", "a moment of a session, since its beginning", whole=True)
-MEMORY = Knob("memory", 256, 1, 2**20, "MB", "how much memory the snapshots of the past may take", whole=True)
-TIMER = Knob("timer", 180, 1, 86_400, "seconds", "how long it takes until the last grain falls")
+MEMORY = Knob(
+    "memory",
+    256,
+    1,
+    2**20,
+    "MB",
+    "how much memory the snapshots of the past may take",
+    whole=True,
+    ends=("little", "much"),
+)
+TIMER = Knob("timer", 180, 1, 86_400, "seconds", "how long it takes until the last grain falls", ends=("short", "long"))

@@ -6,10 +6,10 @@ import numpy as np
 
 from game.world.sand.parameters import Knob
 
-NECK = Knob("neck", 2.0, 1, 1000, "cells", "width of the neck")
-CURVE = Knob("curve", 1.0, 0, 1, "", "how round the bulbs are: 0 gives straight cones")
-THICKNESS = Knob("wall", 3.0, 1, 100, "cells", "thickness of the glass")
-FILL = Knob("fill", 0.75, 0, 1, "", "part of the upper bulb's height that is full of sand")
+NECK = Knob("neck", 2.0, 1, 1000, "cells", "width of the neck", ends=("narrow", "wide"))
+CURVE = Knob("curve", 1.0, 0, 1, "", "how round the bulbs are: 0 gives straight cones", ends=("cone", "round"))
+THICKNESS = Knob("wall", 3.0, 1, 100, "cells", "thickness of the glass", ends=("thin", "thick"))
+FILL = Knob("fill", 0.75, 0, 1, "", "part of the upper bulb's height that is full of sand", ends=("empty", "full"))
 
 # Parts of a bulb's height that are rounded at curve = 1, chosen by eye. What they leave straight bounds the width of
 # the bulbs: larger parts make a slimmer glass, because the funnel must not be flatter than 45 degrees.

@@ -12,7 +12,9 @@ from game.world.scenes.hourglass import NECK, THICKNESS
 from game.world.scenes.hourglass_spec import SMALLEST, Glass
 from game.world.scenes.scene import Scene
 
-HEIGHT = Knob("size", 240, 24, 1200, "cells", "height of the glass and its surroundings", whole=True)
+HEIGHT = Knob(
+    "size", 240, 24, 1200, "cells", "height of the glass and its surroundings", whole=True, ends=("small", "large")
+)
 SLIMNESS = 0.75  # the lattice's width as a part of its height
 MARGIN = 1 / 9, 1 / 60  # parts of the lattice's width and height that are left free at each side
 CURVE = 0.95

@@ -39,7 +39,15 @@ from game.world.scenes.picture_pixels import CHUNK, is_saved, opened, rgba, thum
 from game.world.scenes.scene import Scene
 
 VERSION = 1
-THRESHOLD = Knob("threshold", 0.5, 0.02, 1.0, "", "how bright a picture must be to become sand; half of it: walls")
+THRESHOLD = Knob(
+    "threshold",
+    0.5,
+    0.02,
+    1.0,
+    "",
+    "how bright a picture must be to become sand; half of it: walls",
+    ends=("more sand", "less"),
+)
 LEVELS = 256  # of brightness
 OPAQUE = 128  # of 255: what is more transparent is air
 LUMA = np.array([0.299, 0.587, 0.114], np.float32)  # how bright red, green and blue look (ITU-R BT.601)

@@ -10,6 +10,7 @@ import pytest
 from PIL import Image
 
 from game import load_rule
+from game.play.ui import sliders
 from game.play.ui.input import key_name
 from game.play.ui.widgets import Ui
 from game.world.scenes.scene import load_scene, scene_names
@@ -57,6 +58,22 @@ def check(player, size, scale):
     assert len(written) >= len(ui.rects)
     assert [text for rect, text, kind in written if ui.theme.width(text, kind) > rect.width] == []
     assert [text for rect, text, _ in written if not column.contains(rect)] == []
+
+
+@pytest.mark.parametrize("scene", ["hourglass", "aquarium"])
+def test_the_ends_of_every_slider_have_names(unfolded, monkeypatch, scene):
+    player, knobs, draw = Player(scene, (900, 700)), [], sliders._draw_track
+    monkeypatch.setattr(sliders, "_draw_track", lambda *how: knobs.append(how[2].knob) or draw(*how))
+    player.parts.brush.choose("tap")
+    player.key(pygame.K_h, "h")
+    player.key(pygame.K_l, "l")
+    seen(player, (900, 700), 1)
+    words = player.words()
+    assert len(knobs) > 9
+    for each in knobs:
+        assert len(each.ends) == 2 and f"{each.ends[0]} {each.ends[1]}" in words
+    player.parts.close()
+    pygame.display.quit()
 
 
 @pytest.mark.parametrize("scale", SCALES)
