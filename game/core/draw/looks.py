@@ -38,6 +38,7 @@ class Substance(NamedTuple):
     codes: tuple
     colour: tuple | None = None  # RGB in 0 … 255; None: that of the theme's sand or walls
     glows: bool = False  # it lights up what is near
+    translucent: bool = False  # what is behind it shows faintly, as with every gas
 
 
 class Substances(NamedTuple):

@@ -52,6 +52,7 @@ LIGHT = {  # by what the darkest and the lightest shade of a material differ fro
 GLOWING = (-0.12, 0.3)  # as in LIGHT: of what glows
 APART, MOVED = 40, 0.2  # channels of colours nearer than that are moved, by that part
 GAS_COVERS = 0.6  # how much of what is behind it a gas hides
+CLEAR_COVERS = 0.66, 0.94  # … and what else is translucent, where it is darkest and where it is lightest
 WALL_LOOKS = ("stone", "glass", "wood")  # what a scene's walls can be made of; in glass its long level runs are wooden
 
 
@@ -113,10 +114,21 @@ class Colours(NamedTuple):
             return self.looks(walls)[look.shape]
         if look.substance.glows:
             return Range(*(_lit(look.substance.colour, by) for by in GLOWING))
+        if look.substance.translucent and look.shape not in (GAS, GAS_INSIDE):
+            return self._translucent(look)
         if look.shape not in (GAS, GAS_INSIDE):
             return _material(_apart(look.substance.colour, self.air[AIR].dark), look.shape)
         behind = self.air[AIR if look.shape == GAS else INSIDE]
         return Range(*(_mixed(look.substance.colour, each, GAS_COVERS) for each in behind))
+
+    def _translucent(self, look):
+        """Return the Range of a Look of what is translucent: less of what is behind shows where light falls on it."""
+        air = self.air[AIR].dark
+        colour = _apart(look.substance.colour, air)
+        if look.shape in (SURFACE, RIM, LIQUID_SURFACE):
+            return _material(colour, look.shape)
+        ends = zip(_material(colour, look.shape), CLEAR_COVERS, strict=True)
+        return Range(*(_mixed(each, air, covers) for each, covers in ends))
 
     @lru_cache(maxsize=64)  # noqa: B019 - the themes live as long as the program
     def swatch(self, number):
@@ -137,7 +149,12 @@ def substances_of(materials):
     codes = {}
     for code, each in enumerate(materials):
         if each.kind != "empty":
-            alike = each.kind, None if each.name in ("sand", "wall") else tuple(each.colour), each.glows
+            alike = (
+                each.kind,
+                None if each.name in ("sand", "wall") else tuple(each.colour),
+                each.glows,
+                each.translucent,
+            )
             codes.setdefault(alike, []).append(code)
     outside = next(code for code, each in enumerate(materials) if each.name == "wall")
     every = tuple(Substance(kind, tuple(numbers), *seen) for (kind, *seen), numbers in codes.items())

@@ -17,7 +17,7 @@ CHANCE = Knob("chance", 1.0, 0.0, 1.0, "", "how likely it is")
 NAME = re.compile(r"[a-z][a-z0-9 -]{0,23}")
 _LETTER = re.compile(r"[^\sA-Z?|>\-]")
 _COLOUR = re.compile(r"#[0-9a-fA-F]{6}")
-_KEYS = ("letter", "class", "density", "colour", "form_of", "glows")
+_KEYS = ("letter", "class", "density", "colour", "form_of", "glows", "translucent")
 
 
 @dataclass(frozen=True)
@@ -32,6 +32,7 @@ class Material:
     numbers: tuple  # of (name, probability or the name of a chance): the material's own
     form_of: str | None = None  # the material that it is to the player, if it has no swatch of its own
     glows: bool = False  # it lights up what is near
+    translucent: bool = False  # what is behind it shows faintly, as with every gas
 
     def number(self, name):
         """Return the material's own number of that name, a probability or the name of a chance; 1 if it has none."""
@@ -85,7 +86,10 @@ def _read(section, name, chances):
     fixed = kind in ("empty", "solid")  # these need not tell their density
     density = value("density", _fits(DENSITY), f"density to be {DENSITY.wanted}", 0 if fixed else None)
     form_of = value("form_of", lambda found: found is None or isinstance(found, str), "form_of to be a material")
-    glows = value("glows", lambda found: isinstance(found, bool), "glows to be true or false", False)
+    glows, translucent = (
+        value(name, lambda found: isinstance(found, bool), f"{name} to be true or false", False)
+        for name in ("glows", "translucent")
+    )
     numbers = []
     for key in values:
         if key not in _KEYS:
@@ -93,7 +97,7 @@ def _read(section, name, chances):
             own = value(key, lambda found: found in chances if isinstance(found, str) else _fits(CHANCE)(found), wanted)
             numbers.append((key, own if isinstance(own, str) else float(own)))
     rgb = tuple(int(colour[start : start + 2], 16) for start in (1, 3, 5))
-    return Material(name, letter, kind, float(density), rgb, tuple(numbers), form_of, glows)
+    return Material(name, letter, kind, float(density), rgb, tuple(numbers), form_of, glows, translucent)
 
 
 def _fits(knob):

@@ -11,11 +11,13 @@ from game.core.draw.looks import (
     AIR_BY_WALL,
     GLEAM,
     GRAIN,
+    GRAIN_BY_WALL,
     INSIDE,
     INSIDE_BY_WALL,
     MOST_LOOKS,
     POST,
     SHAPES,
+    UNDER,
     WOOD,
     WOOD_EDGE,
     WOOD_RIM,
@@ -144,3 +146,17 @@ def test_every_eye_tells_materials_of_a_class_from_each_other_and_from_air(colou
     for (one, (kind, colour)), (other, (other_kind, other_colour)) in itertools.combinations(seen.items(), 2):
         if kind == other_kind:
             assert difference(lab(colour, sight), lab(other_colour, sight)) > 12, (one, other)
+
+
+@EVERY_THEME
+def test_through_ice_what_is_behind_shows_faintly_and_not_through_stone(colours):
+    substances = substances_of(load_rule("alchemy").definition.materials).all
+    ice = next(each for each in substances if each.translucent)
+    for shape in (GRAIN, UNDER, GRAIN_BY_WALL):
+        clear, solid = (
+            mean_of(colours.seen(Look(shape, each), "stone")) for each in (ice, ice._replace(translucent=False))
+        )
+        for part, own, behind in zip(clear, solid, colours.mean(AIR), strict=True):
+            assert min(own, behind) - 1 <= part <= max(own, behind) + 1
+            assert abs(part - own) <= abs(part - behind) + 1
+        assert clear != solid
