@@ -128,9 +128,13 @@ class App:
         """Return the marks of the tool at the cursor or at the pointer."""
         if self.parts.camera.busy or self.parts.photo_import.shown:
             return ()
-        if self.parts.cursor.on and not self.parts.brush.by_mouse:
-            return self.parts.cursor.marks(view)
-        return self.parts.brush.marks(view.place(*self.parts.pointer.place), view) if self.parts.pointer.place else ()
+        brush, place = self.parts.brush, self.parts.pointer.place
+        if self.parts.cursor.on and not brush.by_mouse:
+            preview = self.parts.stamp_preview.marks(self.parts.cursor.place, view) if brush.tool == "stamp" else ()
+            return (*preview, *self.parts.cursor.marks(view))
+        if place and brush.tool == "stamp":
+            return self.parts.stamp_preview.marks(view.place(*place), view) or brush.marks(view.place(*place), view)
+        return brush.marks(view.place(*place), view) if place else brush.lasting_marks(view)
 
     def _note(self, work_ns, own_work_ns, now_s):
         """Note what the frame took."""

@@ -9,8 +9,10 @@ from game.play.controls.event_router import EventRouter
 from game.play.controls.fast_forward import FastForward
 from game.play.controls.held_keys import HeldKeys
 from game.play.controls.keyboard_cursor import KeyboardCursor
+from game.play.controls.piece_commands import PieceCommands
 from game.play.controls.pointer import Pointer
 from game.play.controls.rewind import Rewind
+from game.play.controls.stamp_preview import StampPreview
 from game.play.controls.time_bar import TimeBar
 from game.play.forecast.forecasting import Forecasting
 from game.play.frame_step import FrameStep
@@ -114,6 +116,7 @@ class Parts:
         """Make what keys and pointer work, and tell in which order all parts hear and are seen."""
         sessions, display, notices, brush = self.sessions, self.display, self.notices, self.brush
         self.rewind, self.time_bar = Rewind(), TimeBar()
+        self.stamp_preview = StampPreview(sessions, display, brush.selection)
         self.camera = Camera(sessions, display, self.pointer, brush, lambda: self.commands.time.pause())
         self.cursor = KeyboardCursor(sessions, brush, self.panel.ui.focus)
         self.fast_forward = FastForward(sessions, self.background, notices, self.keys)
@@ -125,6 +128,7 @@ class Parts:
                 *(self.forecasting, self.stats_card, self.plots, self.help, self.hiss, self.quit),
             ),
             FileCommands(sessions, self.files, self.gallery, self.recorder, self.plots),
+            PieceCommands(sessions, notices, brush),
         )
         self.panel.sections = self._sections()
         first = self.rewind, self.camera, self.fast_forward
@@ -153,7 +157,7 @@ class Parts:
         sessions, commands = self.sessions, self.commands
         return (
             SceneSection(sessions, commands.files),
-            ToolsSection(self.brush, self.material_page),
+            ToolsSection(self.brush, self.material_page, commands.piece),
             RulesSection(sessions, self.rule_change, self.rule_files, self.brush),
             TimeSection(sessions, commands.time, commands.sand, self.fast_forward),
             TimerSection(self.timer, sessions, self.settings, commands.time),

@@ -18,6 +18,7 @@ from game.world.sessions.action import (
     Fill,
     Flip,
     Load,
+    Move,
     Paint,
     Paste,
     Reshape,
@@ -113,8 +114,19 @@ def actions_of(tools, fixtures, rules, scenes):
     loads = st.builds(Load, st.sampled_from(scenes), st.integers(0, 3))
     stamps = st.builds(stamp_of, st.integers(0, 9), st.lists(fixtures, max_size=1))
     pastes = st.builds(Paste, stamps, places, st.booleans())
+    moves = st.builds(Move, places, places, places, st.integers(0, 3), st.booleans())
     return st.one_of(
-        tools, tools, pastes, resizes, fittings, reshapes, st.builds(SetRule, rules), loads, turns, st.just(Clear())
+        tools,
+        tools,
+        pastes,
+        moves,
+        resizes,
+        fittings,
+        reshapes,
+        st.builds(SetRule, rules),
+        loads,
+        turns,
+        st.just(Clear()),
     )
 
 

@@ -6,11 +6,24 @@ import pygame
 
 from game.play.controls.fixture_tool import FixtureTool, fresh
 from game.play.controls.gestures import Press, Span, Trail
+from game.play.controls.selection import Selection, SelectTool, StampTool
+from game.play.ui import theme as look
 from game.play.view.outlines import box_outline, brush_outline, mark
 from game.play.view.swatches import swatches_of
 from game.world.sand import parameters
 from game.world.sand.sand_colours import AMBER, COLOURS, DYES
-from game.world.sessions.action import EMPTY_CELLS, ERASE, SHAPES, USUAL_SHAPE, Fill, Paint, SetFixtures, box, snap
+from game.world.sessions.action import (
+    EMPTY_CELLS,
+    ERASE,
+    SHAPES,
+    USUAL_SHAPE,
+    Fill,
+    Paint,
+    Paste,
+    SetFixtures,
+    box,
+    snap,
+)
 
 TOOLS = {  # the gesture that each makes
     "brush": Trail,
@@ -23,8 +36,18 @@ TOOLS = {  # the gesture that each makes
     "replace": Trail,
     "tap": FixtureTool,
     "drain": FixtureTool,
+    "select": SelectTool,
+    "stamp": StampTool,
 }
-ONE_CELL = ("rectangle", "ellipse", "fill", "pick")  # tools that aim at a cell, however large the brush
+ONE_CELL = (
+    "rectangle",
+    "ellipse",
+    "fill",
+    "pick",
+    "select",
+    "stamp",
+)  # tools that aim at a cell, however large the brush
+NOT_ERASING = ("pick", "tap", "drain", "select", "stamp")  # tools in whose place the brush erases
 SIZES = (1, 2, 3, 5, 8, 13, 21, 34, 55)  # diameters that the number keys give, in cells
 LEFT, RIGHT = 1, 3
 
@@ -50,6 +73,7 @@ class Brush:
         self.edge_only = False  # rectangles and ellipses are drawn as their outline, as thick as the brush
         self._gesture = self._button = None
         self.deed = Deed()  # of the gesture
+        self.selection = Selection(sessions)
         self._erasing = False  # the gesture erases whatever the material
         self._at = None  # where the gesture has come to, and whether it goes straight
         self._before_pick = "brush"
@@ -114,11 +138,21 @@ class Brush:
         self.dip(DYES[(DYES.index(self.colour) + steps) % len(DYES)])
 
     def choose(self, tool):
-        """Take a tool in hand."""
+        """Take a tool in hand; what was selected is so no longer."""
         self.let_go()
+        self.selection.box = None
         if tool == "pick" and self.tool != "pick":
             self._before_pick = self.tool
         self.tool = tool
+
+    @property
+    def selects(self):
+        """Whether something is selected, or a stamp is in hand."""
+        return self.selection.box is not None or self.tool == "stamp"
+
+    def deselect(self):
+        """Select nothing, and put the stamp down."""
+        self.choose("select")
 
     def take(self, material, colour):
         """Paint with a material from now on, with the tool that was in hand before the picking.
@@ -160,7 +194,7 @@ class Brush:
 
     def press(self, place, erase=False, straight=False):
         """Begin the tool's gesture; `erase`: with nothing. A brush that goes `straight` draws a line."""
-        tool = "brush" if erase and self.tool in ("pick", "tap", "drain") else self.tool
+        tool = "brush" if erase and self.tool in NOT_ERASING else self.tool
         gesture = Span if straight and tool == "brush" else TOOLS[tool]
         self._erasing, self.deed = erase, Deed()
         self._gesture = gesture(self, place, self._sessions.now.world)
@@ -188,8 +222,15 @@ class Brush:
 
     def marks(self, place, view):
         """Return the Marks that show what the tool reaches from a place, or what the gesture will draw."""
+        if not self.painting and self.tool == "select" and self.selection.box:
+            return self.lasting_marks(view)
         outlines = self._gesture.outlines() if self.painting and self._gesture.outlines else None
         return tuple(mark(outline, view) for outline in outlines or [self._aim(place)])
+
+    def lasting_marks(self, view):
+        """Return the Marks that show what is selected, wherever the pointer is."""
+        selected = not self.painting and self.selection.box
+        return (mark(box_outline(*selected), view, look.RING),) if selected else ()
 
     def _aim(self, place):
         if TOOLS[self.tool] is FixtureTool:
@@ -215,6 +256,8 @@ def _reach(act, world):
         return height * width
     if isinstance(act, SetFixtures):
         return 0
+    if isinstance(act, Paste):
+        return act.stamp.cells.size
     left, top, right, bottom = box(act.start, act.end)
     beyond = act.diameter if isinstance(act, Paint) else 0
     across = min(right + beyond, width) - max(left - beyond, 0)

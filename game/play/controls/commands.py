@@ -2,6 +2,7 @@
 
 from typing import NamedTuple
 
+from game.play.controls.piece_commands import PieceCommands
 from game.play.controls.sand_commands import SandCommands
 from game.play.controls.time_commands import TimeCommands
 from game.play.controls.view_commands import ViewCommands
@@ -53,12 +54,13 @@ class FileCommands:
 
 
 class Commands(NamedTuple):
-    """All commands, in four groups. The keymap names each by its group and method: `time.pause`, `sand.turn 1`."""
+    """All commands, in five groups. The keymap names each by its group and method: `time.pause`, `sand.turn 1`."""
 
     time: TimeCommands
     sand: SandCommands
     view: ViewCommands
     files: FileCommands
+    piece: PieceCommands
 
     def give(self, command):
         """Carry out a command as the keymap names it, with what it is given."""

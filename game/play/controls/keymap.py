@@ -67,6 +67,16 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("", (pygame.K_z,), "sand.tool drain", ""),
         Key("K", (pygame.K_k,), "view.toggle_cursor", "keyboard cursor"),
     ),
+    "Pieces": (
+        Key("Shift+S", (pygame.K_s,), "piece.select", "select; drag it to move it", SHIFT),
+        Key("Ctrl+A", (pygame.K_a,), "piece.select_all", "select all", CTRL),
+        Key("Ctrl+C X", (pygame.K_c,), "piece.copy", "copy, cut", CTRL),
+        Key("", (pygame.K_x,), "piece.cut", "", CTRL),
+        Key("Ctrl+V", (pygame.K_v,), "piece.paste", "take what was copied in hand", CTRL),
+        Key("Shift+X, Shift+E", (pygame.K_x,), "piece.mirror", "mirror, turn it", SHIFT),
+        Key("", (pygame.K_e,), "piece.turn", "", SHIFT),
+        Key("Del", (pygame.K_DELETE,), "piece.erase", "erase what is selected"),
+    ),
     "Brush": (
         Key("S W X", (pygame.K_s,), "sand.material sand", "sand, wall, eraser"),
         Key("", (pygame.K_w,), "sand.material wall", ""),

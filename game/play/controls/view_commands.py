@@ -79,6 +79,7 @@ class ViewCommands:
         for is_open, close in (
             (self._brush.painting, self._brush.let_go),
             (self._help.shown, self.toggle_help),
+            (self._brush.selects, self._brush.deselect),
             (self._cursor.on, self.toggle_cursor),
             (self._plots.shown, self.toggle_plots),
             (self._forecasting.shown, self.toggle_forecast),

@@ -17,6 +17,8 @@ TIPS = {  # what each tool does
     "tap": "Places a tap, as wide as the brush, that pours sand of the chosen colour for ever; "
     "drag a tap or a drain to move it  (J)",
     "drain": "Places a drain, as wide as the brush, that swallows the sand that reaches it  (Z)",
+    "select": "Selects a rectangle; dragged inside, it goes along with all that is in it  (Shift+S)",
+    "stamp": "Puts down what was copied, as often as you click  (Ctrl+V)",
 }
 SHORT = {"rectangle": "Box"}  # so that four buttons fit a row
 
@@ -24,8 +26,9 @@ SHORT = {"rectangle": "Box"}  # so that four buttons fit a row
 class ToolsSection:
     """The tools and the brush; what is seldom changed of it can be folded away."""
 
-    def __init__(self, brush, material_page):
-        self._brush, self._page = brush, material_page
+    def __init__(self, brush, material_page, commands):
+        """`commands`: those for pieces."""
+        self._brush, self._page, self._commands = brush, material_page, commands
         self._open = False
 
     def lay_out(self, ui):
@@ -33,6 +36,8 @@ class ToolsSection:
         brush = self._brush
         ui.heading("Tools")
         _show_tools(ui, brush)
+        if brush.tool in ("select", "stamp"):
+            self._show_piece(ui)
         self._show_materials(ui)
         if brush.has_colours:
             _show_colours(ui, brush)
@@ -44,6 +49,26 @@ class ToolsSection:
         )
         if self._open:
             _show_shape(ui, brush)
+
+    def _show_piece(self, ui):
+        """Show what can be done with what is selected, or with the stamp in hand."""
+        selection, commands, stamps = self._brush.selection, self._commands, self._brush.tool == "stamp"
+        there = selection.copied is not None if stamps else selection.box is not None
+        if not stamps:
+            ui.row(3)
+            if ui.button("Copy", key="Ctrl+C", tip="Copies what is selected", enabled=there):
+                commands.copy()
+            if ui.button("Cut", key="Ctrl+X", tip="Copies what is selected, and erases it", enabled=there):
+                commands.cut()
+            if ui.button("Erase", key="Del", tip="Erases what is selected", enabled=there):
+                commands.erase()
+        ui.row(2)
+        if ui.button("Mirror", key="Shift+X", tip="Exchanges left and right", enabled=there):
+            commands.mirror()
+        if ui.button("Turn", key="Shift+E", tip="Turns it by a quarter, clockwise", enabled=there):
+            commands.turn()
+        if stamps:
+            selection.air = ui.toggle("Stamp its air too", selection.air, tip="Empties what lies below empty cells")
 
     def _show_materials(self, ui):
         """Show what can be painted; the material in hand, pressed again, shows what it does."""

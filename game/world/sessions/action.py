@@ -11,11 +11,11 @@ from game.core.paint.primitives import ELLIPSE, RECTANGLE
 from game.core.paint.strokes import DIAMOND, ROUND, SQUARE
 from game.world.rules.rule import Rule
 from game.world.sand.erasing import is_in_figure, is_under_brush
-from game.world.sand.grain_account import NO_GRAINS
+from game.world.sand.grain_account import NO_GRAINS, added
 from game.world.sand.material_codes import EMPTY
 from game.world.sand.patch import Patch, alike
 from game.world.sand.sand_colours import AMBER, DYES
-from game.world.sand.stamp import Stamp, put
+from game.world.sand.stamp import Stamp, cut_out, put
 from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import cells_of, pour
 from game.world.scenes.hourglass_spec import Glass
@@ -81,6 +81,20 @@ class Paste:
 
 
 @dataclass(frozen=True, slots=True)
+class Move:
+    """Takes all in a box to another place, mirrored and then turned; the box is that of `Draw`.
+
+    It takes its taps and drains along, and leaves nothing behind.
+    """
+
+    start: tuple
+    end: tuple
+    place: tuple  # (column, row) of the upper left cell there
+    quarters: int = 0  # of a turn, clockwise
+    mirrored: bool = False
+
+
+@dataclass(frozen=True, slots=True)
 class Resize:
     """Gives the lattice another size, and cuts off what lies outside of it."""
 
@@ -136,7 +150,14 @@ class Load:
     seed: int
 
 
-IN_PLACE = Paint, Draw, Fill, Paste, Clear  # acts that change the planes of a world; others make new ones or leave them
+IN_PLACE = (
+    Paint,
+    Draw,
+    Fill,
+    Paste,
+    Move,
+    Clear,
+)  # acts that change the planes of a world; others make new ones or leave them
 
 
 class Applied(NamedTuple):
@@ -164,6 +185,8 @@ def perform(action, world, rule):
             return Applied(world, rule, *_fill(action, world))
         case Paste():
             return Applied(world, rule, *put(world, action.stamp, *cell(action.place), action.air))
+        case Move():
+            return Applied(world, rule, *_move(action, world))
         case Resize():
             resized = _resize(action, world)
             grains = difference(resized.amounts, world.amounts)
@@ -266,6 +289,21 @@ def _reshape(reshape, world):
             cells = walls + poured
     world = world.within(cells, colours)
     return world, difference(world.amounts, before)
+
+
+def _move(move, world):
+    """Return the tally of what a move takes and puts, and whether it changed anything."""
+    cells, place = box(move.start, move.end), cell(move.place)
+    stamp = cut_out(world, cells)
+    if stamp is None:
+        return NO_GRAINS, False
+    stamp = (stamp.mirrored() if move.mirrored else stamp).turned(move.quarters)
+    high, wide = stamp.shape
+    ends = (*map(min, cells[:2], place), *map(max, cells[2:], (place[0] + wide, place[1] + high)))
+    before = Patch(world, ends)
+    taken, _ = _draw(Draw("rectangle", ERASE, move.start, move.end), world)
+    given, _ = put(world, stamp, *place)
+    return added(taken, given), before.settle(world)
 
 
 def _resize(resize, world):

@@ -22,6 +22,7 @@ from game.world.sessions.action import (
     Fill,
     Flip,
     Load,
+    Move,
     Paint,
     Paste,
     Reshape,
@@ -121,6 +122,7 @@ ACTS = {  # what an entry is told to do: the act, and its fields in the order in
     "draw": (Draw, (_choice("figure", FIGURES), MATERIAL, FROM, TO, _number("edge", EDGE, 0), OVER_WALLS, COLOUR)),
     "fill": (Fill, (MATERIAL, _place("place", "place"), COLOUR)),
     "paste": (Paste, (STAMP, _place("place", "place"), _flag("air"))),
+    "move": (Move, (FROM, TO, _place("place", "place"), _number("quarters", QUARTERS, 0), _flag("mirrored"))),
     "resize": (
         Resize,
         (_number("width", parameters.SIDE), _number("height", parameters.SIDE), _choice("anchor", ANCHORS)),

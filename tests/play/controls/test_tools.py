@@ -14,17 +14,19 @@ from game.world.sessions.recording import parse
 from game.world.sessions.session import Session
 from tests.saved import recording_of, to_bytes
 
-LETTERS = {
-    "brush": pygame.K_d,
-    "line": pygame.K_n,
-    "rectangle": pygame.K_u,
-    "ellipse": pygame.K_o,
-    "fill": pygame.K_v,
-    "spray": pygame.K_a,
-    "replace": pygame.K_y,
-    "pick": pygame.K_i,
-    "tap": pygame.K_j,
-    "drain": pygame.K_z,
+KEYS = {
+    "brush": (pygame.K_d, 0),
+    "line": (pygame.K_n, 0),
+    "rectangle": (pygame.K_u, 0),
+    "ellipse": (pygame.K_o, 0),
+    "fill": (pygame.K_v, 0),
+    "spray": (pygame.K_a, 0),
+    "replace": (pygame.K_y, 0),
+    "pick": (pygame.K_i, 0),
+    "tap": (pygame.K_j, 0),
+    "drain": (pygame.K_z, 0),
+    "select": (pygame.K_s, pygame.KMOD_SHIFT),
+    "stamp": (pygame.K_v, pygame.KMOD_CTRL),
 }
 
 
@@ -47,8 +49,17 @@ def acts(player):
 
 
 def take(player, tool, diameter=1):
-    player.key(LETTERS[tool])
+    if tool == "stamp":
+        select(player, (5, 55), (40, 75))
+        player.key(pygame.K_c, mod=pygame.KMOD_CTRL)
+    code, mod = KEYS[tool]
+    player.key(code, mod=mod)
     player.parts.brush.diameter = diameter
+
+
+def select(player, one, other):
+    player.key(pygame.K_s, mod=pygame.KMOD_SHIFT)
+    player.drag(player.pixel(*one), player.pixel(*other))
 
 
 def box_of(cells):
@@ -60,8 +71,8 @@ def test_number_keys_give_sizes_and_letters_give_tools(still):
     for number, size in enumerate(SIZES):
         still.key(pygame.K_1 + number, str(number + 1))
         assert still.parts.brush.diameter == size
-    for tool, letter in LETTERS.items():
-        still.key(letter)
+    for tool in KEYS:
+        take(still, tool)
         assert still.parts.brush.tool == tool
 
 
@@ -75,8 +86,8 @@ def test_undo_after_a_tool_gives_back_the_world_before_it(still, tool):
     take(still, tool, 9)
     still.parts.brush.material = "wall"
     still.drag(still.pixel(30, 22), still.pixel(40, 30), still.pixel(70, 66))
-    assert (still.world.digest() != before) == (tool != "pick")
-    if tool != "pick":
+    assert (still.world.digest() != before) == (tool not in ("pick", "select"))
+    if still.world.digest() != before:
         still.key(pygame.K_z, mod=pygame.KMOD_CTRL)
     assert still.world.digest() == before
     assert still.session.account.balanced(still.world)

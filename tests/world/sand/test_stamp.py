@@ -6,7 +6,7 @@ import pytest
 from game import Rule, World, load_rule
 from game.world.sand.fixtures import Fixture
 from game.world.sand.stamp import Stamp, cut_out, put
-from game.world.sessions.action import ANCHORS, Draw, Paste, Resize, perform
+from game.world.sessions.action import ANCHORS, Draw, Move, Paste, Resize, perform
 from game.world.sessions.moment import account_of
 from tests.cells import coloured, random_world, rows_of, strewn, world_of
 from tests.world.random_sessions import stamp_of
@@ -74,11 +74,27 @@ def test_what_is_put_and_what_is_taken_for_it_are_in_the_account():
     assert account.booked(grains).balanced(world)
 
 
+@pytest.mark.parametrize("place", [(20, 10), (4, 5), (-3, 2), (90, 3)])
+def test_a_move_takes_all_along_and_leaves_nothing_behind(place):
+    generator = np.random.default_rng(6)
+    world, blocks = blank(40, 50), random_world(generator, 9, 7)
+    put(world, cut_out(blocks, (0, 0, 7, 9)), 3, 4)
+    world.fixtures = (Fixture("tap", 4, 5, 9),)
+    account, piece = account_of(world, RULE), cut_out(world, (3, 4, 10, 13))
+    *_, grains, changed = perform(Move((3, 4), (9.5, 12), place, 1, True), world, RULE)
+    wanted = blank(40, 50)
+    put(wanted, piece.mirrored().turned(1), *place)
+    assert changed and (world.materials == wanted.materials).all() and world.fixtures == wanted.fixtures
+    assert account.booked(grains).balanced(world)
+
+
 def test_a_stamp_that_changes_nothing_is_no_act():
     world = random_world(np.random.default_rng(4), 20, 30)
     stamp = cut_out(world, (3, 3, 12, 12))
     assert not perform(Paste(stamp, (3, 3), True), world, RULE).changed
     assert not perform(Paste(stamp, (90, 3)), world, RULE).changed and not world.coloured
+    assert not perform(Move((3, 3), (11, 11), (3, 3)), world, RULE).changed
+    assert not perform(Move((-9, 3), (-2, 11), (3, 3)), world, RULE).changed
 
 
 def test_four_quarter_turns_and_two_mirrorings_bring_a_stamp_back():

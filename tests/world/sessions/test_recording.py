@@ -26,6 +26,7 @@ from game.world.sessions.action import (
     Fill,
     Flip,
     Load,
+    Move,
     Paint,
     Paste,
     Resize,
@@ -70,6 +71,7 @@ def sample():
         Paint("sand", (5, 5), (9, 6), 5, spray=7),
     ]
     acts += [SetFixtures((Fixture("tap", 3, 2, 4, 1, 3), Fixture("drain", -1, 5, 9, 2))), Turn(1), Turn(3)]
+    acts += [Move((2, 3), (9, 8), (4, 4), 1, True), Move((1, 1), (5, 5), (7.5, 7.5))]
     acts += [Paste(stamp_of(4), (3, -2)), Paste(stamp_of(4), (9, 5), True), Resize(25, 40, "bottom right")]
     for act in acts:
         session.do(act)
