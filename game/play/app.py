@@ -109,6 +109,9 @@ class App:
             *(display.theme, layout.status_line, session, said, self.parts.timer.words),
             *(self.parts.notices.line, badge if badge.shown else None),
         )
+        if display.panel_shown and not display.page:
+            rect, strokes = self.parts.panel.drawing()
+            strips[tuple(rect)] = strokes
         for name, card in (("legend", self.parts.forecasting.legend), ("figures", self.parts.stats_card)):
             if name in layout.cards:
                 strips[tuple(layout.cards[name])] = card.drawing(display.theme, layout.cards[name])

@@ -125,12 +125,12 @@ class Parts:
             SandCommands(sessions, self.journals, self.settings, display, notices, brush, self.camera, self.timer),
             ViewCommands(
                 *(sessions, display, notices, brush, self.camera, self.cursor, self.block_overlay),
-                *(self.forecasting, self.stats_card, self.plots, self.help, self.hiss, self.quit),
+                *(self.forecasting, self.stats_card, self.plots, self.help, self.hiss, self.panel, self.quit),
             ),
             FileCommands(sessions, self.files, self.gallery, self.recorder, self.plots),
             PieceCommands(sessions, notices, brush),
         )
-        self.panel.sections = self._sections()
+        self.panel.hold(self._sections())
         first = self.rewind, self.camera, self.fast_forward
         on_window = {
             pygame.QUIT: lambda event: self.quit(),
@@ -153,19 +153,21 @@ class Parts:
         self.watchers += [self.rule_change, self.rule_files, self.block_card]
 
     def _sections(self):
-        """Return the sections of the panel, from top to bottom."""
+        """Return the sections of the panel by the names of its tabs, from top to bottom."""
         sessions, commands = self.sessions, self.commands
-        return (
-            SceneSection(sessions, commands.files),
-            ToolsSection(self.brush, self.material_page, commands.piece),
-            RulesSection(sessions, self.rule_change, self.rule_files, self.brush),
-            TimeSection(sessions, commands.time, commands.sand, self.fast_forward),
-            TimerSection(self.timer, sessions, self.settings, commands.time),
-            GlassSection(sessions, self.planner, self.notices),
-            RecordingSection(sessions, self.recorder, self.files, commands.time),
-            ShowSection(sessions, self.forecasting, self.plots, self.stats_card, commands.sand),
-            WindowSection(self.settings, self.hiss, commands.view),
-        )
+        return {
+            "Scene": [SceneSection(sessions, commands.files)],
+            "Tools": [ToolsSection(self.brush, self.material_page, commands.piece)],
+            "Rule": [RulesSection(sessions, self.rule_change, self.rule_files, self.brush)],
+            "Time": [TimeSection(sessions, commands.time, commands.sand, self.fast_forward)],
+            "More": [
+                TimerSection(self.timer, sessions, self.settings, commands.time),
+                GlassSection(sessions, self.planner, self.notices),
+                RecordingSection(sessions, self.recorder, self.files, commands.time),
+            ],
+            "Measure": [ShowSection(sessions, self.forecasting, self.plots, self.stats_card, commands.sand)],
+            "View": [WindowSection(self.settings, self.hiss, commands.view)],
+        }
 
     def let_go(self):
         """Let go of all that a key or a button holds: nobody may hear it come up."""

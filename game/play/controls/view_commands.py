@@ -21,12 +21,13 @@ class ViewCommands:
         plots,
         keys_page,
         hiss,
+        panel,
         on_quit,
     ):
         self._sessions, self._display, self._notices = sessions, display, notices
         self._brush, self._camera, self._cursor, self._blocks = brush, camera, cursor, blocks
         self._forecasting, self._figures, self._plots = forecasting, figures, plots
-        self._help, self._hiss, self._on_quit = keys_page, hiss, on_quit
+        self._help, self._hiss, self._panel, self._on_quit = keys_page, hiss, panel, on_quit
 
     def show_all(self):
         """Show the whole lattice."""
@@ -60,6 +61,12 @@ class ViewCommands:
         """Hide or show the panel."""
         self._display.panel_shown = not self._display.panel_shown
         self._display.lay_out_anew()
+
+    def turn_tab(self, tabs):
+        """Show another section of the panel, and give it the keyboard."""
+        if not self._display.panel_shown:
+            self.toggle_panel()
+        self._panel.turn(int(tabs))
 
     def toggle_sound(self):
         """Let the sand be heard, or not."""

@@ -28,12 +28,6 @@ class TimeSection:
         if ui.button("Flip", key="F", tip="Turns the glass over"):
             self._sand.flip()
         ui.row(2)
-        tip = "Turns the lattice by a quarter, so that the sand falls to another side"
-        if ui.button("Turn left", key="Ctrl+F", tip=tip):
-            self._sand.turn("3")
-        if ui.button("Turn right", key="Shift+F", tip=tip):
-            self._sand.turn("1")
-        ui.row(2)
         if ui.button("Undo", key="Ctrl+Z", tip="Takes back the last action; the sand is as it would be without it"):
             self._time.undo()
         if ui.button("Redo", key="Ctrl+Y", tip="Brings back what was undone, or the future you left"):
@@ -43,6 +37,12 @@ class TimeSection:
             self._sand.restart()
         if ui.button("Clear", key="C", tip="Removes all sand; the walls stay"):
             self._sand.clear()
+        ui.row(2)
+        tip = "Turns the lattice by a quarter, so that the sand falls to another side"
+        if ui.button("Turn left", key="Ctrl+F", tip=tip):
+            self._sand.turn("3")
+        if ui.button("Turn right", key="Shift+F", tip=tip):
+            self._sand.turn("1")
         self._lay_out_ahead(ui)
 
     def _lay_out_ahead(self, ui):

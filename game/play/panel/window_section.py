@@ -11,7 +11,7 @@ class WindowSection:
 
     def lay_out(self, ui):
         """Show the section and do what it was told."""
-        ui.heading("Window")
+        ui.heading("View and sound")
         self._lay_out_sound(ui)
         ui.row(2)
         if ui.button("Full screen", key="F11", tip="Fills the screen, or returns to a window"):

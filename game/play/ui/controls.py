@@ -66,14 +66,13 @@ def body(ui, rect, me, enabled=True):
 
 
 def _button_words(ui, rect, label, key, colour):
-    """Write the label in the middle, or as little beside it as makes room for the key."""
+    """Write the label in the middle, or where there is room for the key at the left and the key at the right."""
     px, width = ui.theme.px, ui.theme.width
     inner = rect.inflate(-2 * px(INSET), 0)
     hint, wide = width(key, look.SMALL), width(label, look.BODY)
     if key and wide + px(ASIDE) + hint <= inner.width:
         ui.stroke(draw_list.words, inner, key, look.SMALL, look.FAINT, 1)
-        aside = max(0, (wide - inner.width) // 2 + px(ASIDE) + hint)
-        inner = pygame.Rect(inner.x, inner.y, inner.width - 2 * aside, inner.height)
+        inner = pygame.Rect(inner.x, inner.y, wide, inner.height)
     ui.stroke(draw_list.words, inner, label, look.BODY, colour, 0.5)
 
 

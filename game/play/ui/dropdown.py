@@ -80,22 +80,23 @@ class Popup:
 
 def choice(ui, label, options, index, tip="", name=None):
     """Show one option out of many, with a list to choose from; return the index of the chosen one."""
-    px = ui.theme.px
+    px, label_width = ui.theme.px, max(ui.label_width, min(ui.theme.width(f"{label}  ", look.BODY), ui.width // 2))
     rect = ui.place(px(ROW), px(GAP))
-    me = ui.claim(name or label, rect, keys=OPEN_KEYS, tip=tip)
+    box = pygame.Rect(rect.x + label_width, rect.y, rect.width - label_width, rect.height)
+    me = ui.claim(name or label, rect, ring=box, keys=OPEN_KEYS, tip=tip)
     for event in me.events:
         index = _handle(ui.focus, me.name, event, options, index)
     popup = ui.focus.popup
     if popup and popup.name == me.name:
         popup.box, popup.options = rect, options
-    body(ui, rect, me)
-    inner = rect.inflate(-2 * px(INSET), 0)
+    body(ui, box, me)
+    inner = box.inflate(-2 * px(INSET), 0)
     size = px(10)
     chevron = pygame.Rect(inner.right - size, rect.centery - size // 2, size, size)
     ui.stroke(draw_list.polygon, chevron, draw_list.CHEVRON_DOWN, look.TEXT if me.hover else look.DIM)
-    label_width = min(ui.theme.width(f"{label}  ", look.BODY), inner.width // 2)
-    words = pygame.Rect(inner.x + label_width, inner.y, chevron.x - px(4) - inner.x - label_width, inner.height)
-    ui.stroke(draw_list.words, pygame.Rect(inner.topleft, (label_width, inner.height)), label, look.BODY, look.DIM, 0)
+    words = pygame.Rect(inner.x, inner.y, chevron.x - px(4) - inner.x, inner.height)
+    aside = pygame.Rect(rect.x, rect.y, label_width, rect.height)
+    ui.stroke(draw_list.words, aside, label, look.BODY, look.TEXT, 0)
     ui.stroke(draw_list.words, words, options[index], look.BODY, look.TEXT, 0)
     return index
 

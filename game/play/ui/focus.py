@@ -77,6 +77,12 @@ class Focus:
             self.scroll.reveal(ring.top - self.notch // 4, ring.bottom + self.notch // 4)
         self.reveal = False
 
+    def take(self, top):
+        """Give the keyboard to the first control that begins at `top` of the column or below."""
+        below = [name for name, slot in self.slots.items() if slot.live and slot.rect.top >= top]
+        if below:
+            self.name, self.by_keyboard, self._pointing = below[0], True, False
+
     def leave(self):
         """Give the keyboard back."""
         self._drop()

@@ -9,8 +9,8 @@ from game.play.ui.slider_scale import SliderScale
 
 HANDLE = 7  # radius at scale 1
 TALL_ROW = 40  # a slider in two lines: words above, track below
-VALUE_WIDTH = 46
-WITH_UNIT = 68  # … where the value has a unit
+VALUE_WIDTH = 46  # of a probability, beside its picture
+WITH_UNIT = 68  # of any value
 ENDS_ROW = 32  # of a slider in one line whose ends have names
 UP, DOWN = 10, 6  # from the track of such a row up to its top, and down to the words at its ends
 CELL = 11  # of a picture
@@ -39,7 +39,9 @@ def slider(
     """
     scale = SliderScale(knob, log, step)
     spell = spell or scale.spell
-    row, words, track, number, lines = _lay_out(ui, label, picture, _value_width(ui, spell, knob), knob.ends)
+    row, words, track, number, lines = _lay_out(
+        ui, label, picture, ui.theme.px(VALUE_WIDTH if picture else WITH_UNIT), knob.ends
+    )
     top = words.bottom if words.bottom < track.y else row.y
     zone = pygame.Rect(track.x, top, track.width, row.bottom - top).inflate(2 * ui.theme.px(HANDLE), 0)
     me = ui.claim(name or label, ui.bleed(row), parts=(zone,), keys=SLIDER_KEYS, tip=_tip(knob) if tip is None else tip)
@@ -78,13 +80,6 @@ def _moved(scale, value, event, track, default):
     if event.key in STEP_KEYS:
         return scale.stepped(value, STEP_KEYS[event.key], event.shift)
     return scale.at(0.0 if event.key == pygame.K_HOME else 1.0)
-
-
-def _value_width(ui, spell, knob):
-    """Return how much room the values of a knob are given, in pixels: more where they are spelled with a unit."""
-    usual = ui.theme.px(VALUE_WIDTH)
-    widest = max(ui.theme.width(spell(end), look.BODY) for end in (knob.low, knob.high))
-    return usual if widest <= usual else ui.theme.px(WITH_UNIT)
 
 
 def _lay_out(ui, label, picture, value_width, ends):

@@ -23,7 +23,7 @@ from game.play.ui.input import Slot
 
 PAD = 14  # from the rect's edge to the controls
 BLEED = 4  # a control without a body reaches this far beyond its words
-LABEL_SHARE = 0.36  # of the width goes to the labels
+LABELS = 0.27, 66  # of the width goes to the labels, but at least so many pixels at scale 1
 BAR = 4  # width of the scroll bar
 SHORTEST_THUMB = 24
 NOTCH = 56  # scrolled by one notch of the wheel
@@ -174,7 +174,7 @@ class Ui:
     @property
     def label_width(self):
         """The width in pixels of the next control's label, where it stands before the control."""
-        return round(self.width * LABEL_SHARE)
+        return max(round(self.width * LABELS[0]), self.theme.px(LABELS[1]))
 
     def row(self, columns):
         """Let the next `columns` controls share a row."""
@@ -192,6 +192,11 @@ class Ui:
         if not self._cells:
             self._y = self._row_bottom
         return rect
+
+    @property
+    def bottom(self):
+        """Where the column ends so far."""
+        return self._row_bottom if self._cells else self._y
 
     @property
     def begun(self):

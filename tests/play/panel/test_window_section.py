@@ -24,7 +24,7 @@ def test_a_theme_colours_the_sand_and_the_panel_at_once(glass, name):
     assert glass.world.sand[row, column]
     dark, light = colours.sand[GRAIN]
     assert dark <= tuple(surface.get_at(glass.pixel(column, row)))[:3] <= light
-    assert tuple(surface.get_at((glass.parts.display.layout.panel.right - 1, 5)))[:3] == colours.panel["ground"]
+    assert tuple(surface.get_at((glass.parts.display.layout.panel.right - 1, 99)))[:3] == colours.panel["ground"]
     assert ui.theme.colours is glass.parts.display.theme.colours is colours
     assert not glass.frame(), "and then it rests"
 
