@@ -95,6 +95,7 @@ class App:
         session, display = self.parts.sessions.now, self.parts.display
         if not display.page:
             self.parts.block_overlay.prepare()
+            self.parts.differences.prepare(now_s)
         said = (
             self.parts.sessions.words
             or self.parts.frame_step.words
@@ -112,7 +113,12 @@ class App:
         if display.panel_shown and not display.page:
             rect, strokes = self.parts.panel.drawing()
             strips[tuple(rect)] = strokes
-        for name, card in (("legend", self.parts.forecasting.legend), ("figures", self.parts.stats_card)):
+        cards = (
+            ("legend", self.parts.forecasting.legend),
+            ("density", self.parts.density),
+            ("figures", self.parts.stats_card),
+        )
+        for name, card in cards:
             if name in layout.cards:
                 strips[tuple(layout.cards[name])] = card.drawing(display.theme, layout.cards[name])
         return Frame(

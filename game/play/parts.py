@@ -5,6 +5,7 @@ import pygame
 from game.play.controls.brush import Brush
 from game.play.controls.camera import Camera
 from game.play.controls.commands import Commands, FileCommands, SandCommands, TimeCommands, ViewCommands
+from game.play.controls.comparing import Comparing
 from game.play.controls.event_router import EventRouter
 from game.play.controls.fast_forward import FastForward
 from game.play.controls.held_keys import HeldKeys
@@ -14,11 +15,13 @@ from game.play.controls.pointer import Pointer
 from game.play.controls.rewind import Rewind
 from game.play.controls.stamp_preview import StampPreview
 from game.play.controls.time_bar import TimeBar
+from game.play.forecast.density import Density
 from game.play.forecast.forecasting import Forecasting
 from game.play.frame_step import FrameStep
 from game.play.pages.gallery import GalleryPage
 from game.play.pages.help import HelpPage
 from game.play.pages.material_page import MaterialPage
+from game.play.panel.compare_section import CompareSection
 from game.play.panel.glass_section import GlassSection
 from game.play.panel.panel import Panel
 from game.play.panel.recording_section import RecordingSection
@@ -30,6 +33,7 @@ from game.play.panel.timer_section import TimerSection
 from game.play.panel.tools_section import ToolsSection
 from game.play.panel.window_section import WindowSection
 from game.play.plots.plots import Plots
+from game.play.storage.comparison_files import ComparisonFiles
 from game.play.storage.crash_recovery import CrashRecovery
 from game.play.storage.files import Files
 from game.play.storage.journals import Journals
@@ -47,6 +51,7 @@ from game.play.ui.widgets import Ui
 from game.play.view.block_card import BlockCard
 from game.play.view.block_overlay import BlockOverlay
 from game.play.view.dialog import Dialog
+from game.play.view.differences import Differences
 from game.play.view.display import Display
 from game.play.view.frame_stats import FrameStats
 from game.play.view.hints import Hints
@@ -88,6 +93,8 @@ class Parts:
         self.block_overlay = BlockOverlay(self.sessions, self.display, self.notices)
         self.block_card = BlockCard(self.block_overlay, self.display, self.pointer)
         self.forecasting = Forecasting(self.sessions, self.display, self.pointer)
+        self.density = Density(self.sessions, self.display, self.notices)
+        self.differences = Differences(self.sessions, self.display)
         self.plots = Plots(self.sessions, self.display, self.frame_stats, self.background, self.notices)
         self.dialog = Dialog(self.display)
         self.photo_import = PhotoImport(self.sessions, self.display)
@@ -97,6 +104,7 @@ class Parts:
             self.sessions, self.journals, self.photo_import, self.rule_files, self.background, self.notices
         )
         self.recorder = Recorder(self.sessions, self.display, self.background, self.notices)
+        self.comparison_files = ComparisonFiles(self.sessions, self.display, self.plots, self.background, self.notices)
         self.crash_recovery = CrashRecovery(self.sessions, self.journals, self.dialog, self.background, self.notices)
         self.settings_saver = SettingsSaver(
             self.settings, self.sessions, self.brush, self.window, self.background, self.notices
@@ -120,14 +128,18 @@ class Parts:
         self.camera = Camera(sessions, display, self.pointer, brush, lambda: self.commands.time.pause())
         self.cursor = KeyboardCursor(sessions, brush, self.panel.ui.focus)
         self.fast_forward = FastForward(sessions, self.background, notices, self.keys)
+        self.comparing = Comparing(
+            *(sessions, self.journals, self.rule_files, self.background, notices, lambda: self.timer.own_speed)
+        )
         self.commands = Commands(
             TimeCommands(sessions, notices, self.keys, self.fast_forward, self.timer),
-            SandCommands(sessions, self.journals, self.settings, display, notices, brush, self.camera, self.timer),
+            SandCommands(sessions, self.comparing, self.settings, display, notices, brush, self.camera, self.timer),
             ViewCommands(
                 *(sessions, display, notices, brush, self.camera, self.cursor, self.block_overlay),
-                *(self.forecasting, self.stats_card, self.plots, self.help, self.hiss, self.panel, self.quit),
+                *(self.forecasting, self.stats_card, self.plots, self.differences, self.density),
+                *(self.help, self.hiss, self.panel, self.quit),
             ),
-            FileCommands(sessions, self.files, self.gallery, self.recorder, self.plots),
+            FileCommands(sessions, self.files, self.gallery, self.recorder, self.plots, self.comparison_files),
             PieceCommands(sessions, notices, brush),
         )
         self.panel.hold(self._sections())
@@ -149,7 +161,7 @@ class Parts:
         self.overlays = [self.glow, self.block_card, *self.cards[::-1]]
         hints = Hints(self.settings, sessions, display, notices)
         self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss, hints]
-        self.watchers += [self.forecasting, self.plots, self.fast_forward, self.timer, self.glow]
+        self.watchers += [self.forecasting, self.density, self.plots, self.fast_forward, self.timer, self.glow]
         self.watchers += [self.rule_change, self.rule_files, self.block_card]
 
     def _sections(self):
@@ -165,7 +177,10 @@ class Parts:
                 GlassSection(sessions, self.planner, self.notices),
                 RecordingSection(sessions, self.recorder, self.files, commands.time),
             ],
-            "Measure": [ShowSection(sessions, self.forecasting, self.plots, self.stats_card, commands.sand)],
+            "Measure": [
+                ShowSection(sessions, self.forecasting, self.plots, self.stats_card, commands.view),
+                CompareSection(self.comparing, self.rule_files, self.differences, self.density, commands),
+            ],
             "View": [WindowSection(self.settings, self.hiss, commands.view)],
         }
 
@@ -184,6 +199,7 @@ class Parts:
             self.keys.any_down or self.brush.painting or self.time_bar.held,
             self.timer.state == RUNNING or self.fast_forward.words,
             self.recorder.said or self.forecasting.thread.working,
+            self.density.shown and self.density.thread.working,
             self.display.sand_view.turn or self.gallery.shown,
             self.glow.shown or self.camera.badge.shown,
         )
@@ -201,4 +217,5 @@ class Parts:
         self.background.finish()
         self.planner.close()
         self.forecasting.close()
+        self.density.close()
         self.audio.close()

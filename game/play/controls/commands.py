@@ -11,9 +11,9 @@ from game.play.controls.view_commands import ViewCommands
 class FileCommands:
     """The keys and buttons of scenes, pictures and recordings."""
 
-    def __init__(self, sessions, files, gallery, recorder, plots):
+    def __init__(self, sessions, files, gallery, recorder, plots, comparison_files):
         self._sessions, self._files, self._gallery = sessions, files, gallery
-        self._recorder, self._plots = recorder, plots
+        self._recorder, self._plots, self._comparison_files = recorder, plots, comparison_files
 
     def save(self):
         """Save the scene as it is now."""
@@ -25,8 +25,11 @@ class FileCommands:
         self._files.open_shipped(name)
 
     def save_measures(self):
-        """Save what the plots have measured."""
-        self._plots.save()
+        """Save what the plots have measured, of worlds side by side with a picture of each."""
+        if len(self._sessions.now.sessions) > 1:
+            self._comparison_files.save()
+        else:
+            self._plots.save()
 
     def show_scenes(self):
         """Show the shipped scenes, or close their page."""

@@ -4,21 +4,15 @@ import math
 
 from game.play.controls.brush import SIZES
 from game.world.sessions.action import Clear, Flip, Load, SetRule, Turn
-from game.world.sessions.comparison import Comparison, by_friction, by_schedule, by_seed, present
 
 TILT = 0.1  # of bias, by one press of a key
-SUBJECTS = {  # what a comparison can be of, in words
-    by_schedule: "under three schedules",
-    by_friction: "with the four values of p in the paper",
-    by_seed: "with three seeds",
-}
 
 
 class SandCommands:
     """The keys and buttons of the sand and the tools."""
 
-    def __init__(self, sessions, journals, settings, display, notices, brush, camera, timer):
-        self._sessions, self._journals, self._settings = sessions, journals, settings
+    def __init__(self, sessions, comparing, settings, display, notices, brush, camera, timer):
+        self._sessions, self._comparing, self._settings = sessions, comparing, settings
         self._display, self._notices = display, notices
         self._brush, self._camera, self._timer = brush, camera, timer
 
@@ -54,9 +48,9 @@ class SandCommands:
         """Take all sand away."""
         self._sessions.slowly("Taking the sand away …", lambda: self._sessions.do(Clear()))
 
-    def compare(self, subject=by_schedule):
+    def compare(self):
         """Show this world in variants side by side, from now on; again, go back to it as it was."""
-        self._sessions.slowly("Getting the worlds ready …", lambda: self._compare(subject))
+        self._sessions.slowly("Getting the worlds ready …", self._comparing.toggle)
 
     # --- the brush ---
 
@@ -105,18 +99,6 @@ class SandCommands:
             sessions.now.clock.speed = speed
         if sessions.now.paused:
             self._notices.say("The scene is at its start, and time stands still: Space lets it go on.")
-
-    def _compare(self, subject):
-        now = self._sessions.now
-        if isinstance(now, Comparison):
-            self._sessions.leave()
-        elif self._sessions.ready():
-            session = Comparison(present(now), now.seed, subject=subject)
-            session.paused, session.clock.speed = now.paused, self._timer.own_speed
-            self._journals.begin(session, [])
-            self._sessions.open(session, keep=True)
-            words = f"The same sand {SUBJECTS[subject]}. Shift+H or Esc goes back."
-            self._notices.say(words, holds=lambda: self._sessions.now is session)
 
     def _turn_over(self, quarters):
         """Turn the lattice by quarters, and let its old picture turn, unless motion is to be reduced.

@@ -5,6 +5,7 @@ from game.world.sand import parameters
 from game.world.sand.duration import spell_left
 from game.world.sessions.session import SEEK_NS
 
+HALT = parameters.Knob("t", 200, 1, 1_000_000, "", "iteration at which time stands still", True, ("early", "late"))
 FASTER = 2**0.5  # what one press of + does to the speed
 
 
@@ -14,11 +15,13 @@ class TimeCommands:
     def __init__(self, sessions, notices, keys, fast_forward, timer):
         self._sessions, self._notices, self._keys = sessions, notices, keys
         self._fast_forward, self._timer = fast_forward, timer
+        self.halt_at = HALT.default  # the iteration of the world that `run_to` goes to
         self.undo_goes_back = False  # undo goes to the moment of the act that it undoes
 
     def pause(self):
         """Hold time, or let it go on."""
-        self._sessions.now.paused = not self._sessions.now.paused
+        session = self._sessions.now
+        session.paused, session.halt_at = not session.paused, None
 
     def step(self):
         """Run one iteration and hold time."""
@@ -40,6 +43,17 @@ class TimeCommands:
     def await_flow(self):
         """Run until a grain next passes the neck."""
         self._sessions.slowly("Looking for the neck …", self._fast_forward.await_flow)
+
+    def run_to(self):
+        """Run to an iteration of the world, or go back to it, and hold time there."""
+        session = self._sessions.now
+        if self._sessions.ready():
+            at = session.now - session.world.iteration + self.halt_at
+            if at > session.now:
+                session.paused, session.halt_at = False, at
+            else:
+                session.paused = True
+                self._sessions.slowly("Computing the sand …", lambda: session.seek(at, SEEK_NS))
 
     def toggle_timer(self):
         """Start the timer, or stop it."""

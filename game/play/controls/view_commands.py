@@ -19,6 +19,8 @@ class ViewCommands:
         forecasting,
         figures,
         plots,
+        differences,
+        density,
         keys_page,
         hiss,
         panel,
@@ -27,6 +29,7 @@ class ViewCommands:
         self._sessions, self._display, self._notices = sessions, display, notices
         self._brush, self._camera, self._cursor, self._blocks = brush, camera, cursor, blocks
         self._forecasting, self._figures, self._plots = forecasting, figures, plots
+        self._differences, self._density = differences, density
         self._help, self._hiss, self._panel, self._on_quit = keys_page, hiss, panel, on_quit
 
     def show_all(self):
@@ -51,7 +54,25 @@ class ViewCommands:
 
     def toggle_forecast(self):
         """Show where the sand will be, or no longer."""
-        self._forecasting.toggle()
+        self._lay_over(self._forecasting)
+
+    def toggle_differences(self):
+        """Mark where the compared worlds differ, or no longer."""
+        if len(self._sessions.now.sessions) > 1 or self._differences.shown:
+            self._lay_over(self._differences)
+        else:
+            self._notices.say(f"Only worlds side by side differ: {key_name('Shift+H')} compares.")
+
+    def toggle_density(self):
+        """Show where the sand of many runs is now, or no longer."""
+        self._lay_over(self._density)
+
+    def _lay_over(self, chosen):
+        """Show one of what lies over the sand, or no longer; only one of them lies there."""
+        for each in (self._forecasting, self._differences, self._density):
+            if each is not chosen and each.shown:
+                each.toggle()
+        chosen.toggle()
 
     def toggle_plots(self):
         """Show the plots of what the sand does, or no longer."""
@@ -90,6 +111,8 @@ class ViewCommands:
             (self._cursor.on, self.toggle_cursor),
             (self._plots.shown, self.toggle_plots),
             (self._forecasting.shown, self.toggle_forecast),
+            (self._differences.shown, self.toggle_differences),
+            (self._density.shown, self.toggle_density),
             (self._figures.kept, self._figures.toggle),
             (isinstance(self._sessions.now, Comparison), self._sessions.leave),
             (self._display.window.fullscreen, self.toggle_fullscreen),

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from game.play.forecast.legend import Legend
 from game.world.background.forecast_thread import ForecastRequest, ForecastThread
-from game.world.looks.heatmap_overlay import HeatmapOverlay
+from game.world.looks.heatmap_overlay import HeatmapOverlay, forecast_covers, stale_covers
 from game.world.sand import parameters
 from game.world.sand.crop import Crop, CropBox, forecast_box
 
@@ -111,5 +111,6 @@ class Forecasting:
             self.stale = now_s - self._current_s > STALE_S
         self.answer = answer
         if (self.answer, self.stale) != before:
-            self._display.sand_view.heatmap = answer and HeatmapOverlay(request.crop.box, answer.levels, self.stale)
+            covers = stale_covers if self.stale else forecast_covers
+            self._display.sand_view.heatmap = answer and HeatmapOverlay(request.crop.box, answer.levels, covers)
             self._display.refresh()

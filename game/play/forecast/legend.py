@@ -31,28 +31,8 @@ class Legend:
 
     def drawing(self, theme, rect):
         """Return the strokes of the card in `rect`, as high as its lines, of which there are those with room."""
-        px, line, (_, stale) = theme.px, theme.line_height(look.SMALL), self._about
-        card = rect.inflate(-2 * px(AWAY), -2 * px(AWAY))
         title, *lines = self.lines
-        head = 2 * px(PAD) + px(TITLE) + px(BAR) + line + px(GAP)
-        lines = lines[: max(0, (card.height - head) // line)]
-        card.height = min(card.height, head + len(lines) * line)
-        row = card.inflate(-2 * px(PAD), -2 * px(PAD))
-        row.height = px(TITLE)
-        strokes = box_strokes(theme, card, rect)
-        strokes.append((draw_list.words, tuple(row), title, look.HEADING, look.HANDLE, 0))
-        if stale:
-            strokes.append((draw_list.words, tuple(row), "stale", look.BODY, look.BRIGHT_ACCENT, 1))
-        row.y, row.height = row.bottom, px(BAR)
-        strokes.append((draw_scale, tuple(row), stale))
-        row.y, row.height = row.bottom, line
-        for share, align in (("never", 0), ("50 %", 0.5), ("always", 1)):
-            strokes.append((draw_list.words, tuple(row), share, look.SMALL, look.FAINT, align))
-        row.y += line + px(GAP)
-        for text in lines:
-            strokes.append((draw_list.words, tuple(row), text, look.SMALL, look.DIM, 0))
-            row.y += line
-        return strokes
+        return scale_card(theme, rect, title, lines, stale=self._about[1])
 
     def _write(self, answer):
         if answer is None:
@@ -84,6 +64,34 @@ class Legend:
         share = int(answer.counts[y, x]) / answer.runs
         error = 0.0 if answer.certain else standard_error(share, answer.runs)
         return f"Here {100 * share:.1f} ± {100 * error:.1f} %"
+
+
+def scale_card(theme, rect, title, lines, stale=False):
+    """Return the strokes of a card in `rect` with the colours from never to always and what is to be said of them.
+
+    It is as high as those of the lines that there is room for.
+    """
+    px, line = theme.px, theme.line_height(look.SMALL)
+    card = rect.inflate(-2 * px(AWAY), -2 * px(AWAY))
+    head = 2 * px(PAD) + px(TITLE) + px(BAR) + line + px(GAP)
+    lines = lines[: max(0, (card.height - head) // line)]
+    card.height = min(card.height, head + len(lines) * line)
+    row = card.inflate(-2 * px(PAD), -2 * px(PAD))
+    row.height = px(TITLE)
+    strokes = box_strokes(theme, card, rect)
+    strokes.append((draw_list.words, tuple(row), title, look.HEADING, look.HANDLE, 0))
+    if stale:
+        strokes.append((draw_list.words, tuple(row), "stale", look.BODY, look.BRIGHT_ACCENT, 1))
+    row.y, row.height = row.bottom, px(BAR)
+    strokes.append((draw_scale, tuple(row), stale))
+    row.y, row.height = row.bottom, line
+    for share, align in (("never", 0), ("50 %", 0.5), ("always", 1)):
+        strokes.append((draw_list.words, tuple(row), share, look.SMALL, look.FAINT, align))
+    row.y += line + px(GAP)
+    for text in lines:
+        strokes.append((draw_list.words, tuple(row), text, look.SMALL, look.DIM, 0))
+        row.y += line
+    return strokes
 
 
 def _accuracy(answer):

@@ -1,7 +1,10 @@
 """The panel's section of time: how fast it runs, and every way to move in it."""
 
+from game.play.controls.time_commands import HALT
 from game.world.sand import parameters
 
+HALT_TIP = "The iteration of this world at which time is to stand still"
+RUN_TIP = "Runs to that iteration, or goes back to it, and holds time there"
 FAST = "Fast"  # the button that is held
 
 
@@ -56,3 +59,8 @@ class TimeSection:
             self._time.settle()
         if ui.button("Run to next grain", key="Shift+Right", tip="Runs until the next grain passes the neck"):
             self._time.await_flow()
+        self._time.halt_at = ui.slider(
+            "Stop at t", HALT, self._time.halt_at, log=True, name="Stop at", tip=HALT_TIP, spell="{:,}".format
+        )
+        if ui.button(f"Run to t = {self._time.halt_at:,}", key="Shift+End", name="Run to t", tip=RUN_TIP):
+            self._time.run_to()

@@ -98,3 +98,14 @@ def profile(rect, heights, high, colour):
     tops = [int(heights[x * width // rect.width]) for x in range(rect.width)]
     points = [(x, round((1 - top / max(high, 1)) * rect.height)) for x, top in enumerate(tops) if top]
     return hill, tuple(rect), tuple(points), colour
+
+
+def with_foot(theme, room, nows):
+    """Return (the room above a line with the iterations at both ends, the line's strokes)."""
+    high = theme.line_height(look.SMALL)
+    if room.height < 3 * high or not nows:
+        return room, []
+    foot = (room.x, room.bottom - high, room.width, high)
+    ends = ((f"{nows[0]:,}", 0), (f"iteration {nows[-1]:,}", 1))
+    strokes = [(draw_list.words, foot, text, look.SMALL, look.FAINT, align) for text, align in ends]
+    return pygame.Rect(room.x, room.y, room.width, room.height - high - 2), strokes

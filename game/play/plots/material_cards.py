@@ -24,24 +24,23 @@ def amounts_card(theme, rect, samples, names, colours):
     series = {name: each for name, each in series.items() if any(each[0])}
     order = sorted(series, key=lambda name: -series[name][0][-1])
     strokes, room = charts.card(theme, rect, "Cells of each material", "")
-    legend, room = _legend(theme, room, [(name, series[name][0][-1], series[name][1]) for name in order])
+    names_of, room = legend(theme, room, [(name, f"{series[name][0][-1]:,}", series[name][1]) for name in order])
     high = charts.round_up(max([1, *(max(numbers) for numbers, _ in series.values())]))
     figures, room = charts.scale(theme, room, [(high, charts.figure(high)), (0, "0")], 0, high)
     nows = [now for now, _ in samples]
-    return strokes + legend + figures + charts.curves(room, nows, list(series.values()), 0, high)
+    return strokes + names_of + figures + charts.curves(room, nows, list(series.values()), 0, high)
 
 
-def _legend(theme, room, entries):
-    """Return the strokes of names, numbers and colours, as many as have room, and the rect left below them."""
+def legend(theme, room, entries):
+    """Return the strokes of (name, figure, colour), as many as have room, and the rect left below them."""
     px, high = theme.px, theme.line_height(look.SMALL)
     across = max(1, room.width // px(ENTRY))
     rows = min(-(-len(entries) // across), max(1, int(MOST_LEGEND * room.height) // high))
     wide, side, strokes = room.width // across, px(SWATCH), []
-    for number, (name, amount, colour) in enumerate(entries[: rows * across]):
+    for number, (name, figure, colour) in enumerate(entries[: rows * across]):
         down, right = divmod(number, across)
         place = pygame.Rect(room.x + right * wide, room.y + down * high, wide - px(6), high)
         strokes.append((draw_list.box, (place.x, place.centery - side // 2, side, side), colour, px(2)))
-        figure = f"{amount:,}"
         words = pygame.Rect(place.x + side + px(4), place.y, place.width - side - px(4), high)
         strokes.append((draw_list.words, tuple(words), figure, look.SMALL, look.TEXT, 1))
         words.width -= theme.width(f" {figure}", look.SMALL)

@@ -2,21 +2,23 @@
 
 import math
 import time
+from functools import partial
 from itertools import accumulate, pairwise
 
 import pygame
 
 from game.play.plots import charts
 from game.play.plots.audit_card import card, heights, widths
+from game.play.plots.comparison_cards import comparison_card, quantities
 from game.play.plots.material_cards import amounts_card, books_card
 from game.play.plots.reactions_card import reactions_card
 from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.view.swatches import swatches_of
+from game.play.view.swatches import colours_of_worlds, swatches_of
 from game.world.files.atomic import save_as_new
 from game.world.files.paths import numbered, save_new
 from game.world.sand.sand_colours import COLOURS
-from game.world.sessions.measurements import PROFILE_COLUMNS, Measurements, csv
+from game.world.sessions.measurements import COMMON_COLUMNS, PROFILE_COLUMNS, Measurements, csv
 from game.world.sessions.session import BUDGET_NS
 
 SAMPLE_S = 0.25
@@ -38,6 +40,7 @@ class Plots:
         self._lacks_room = False
         self._set_row = None  # (scene, row): where the player wants to measure in that scene
         self.measurements = None  # since the plots were opened
+        self._compared = {}  # {name: Measurements} of worlds side by side
         self._drawing = self._drawn = None
         self._since_s = self._next_s = self._next_watch_s = 0.0
         self._slowest_ns = 0
@@ -85,10 +88,34 @@ class Plots:
             return
         begin = time.perf_counter()
         if not fits:
-            self.measurements, self._since_s = Measurements(self._sessions.now, self.measured_row), now_s
-        self.measurements.follow(now_s - self._since_s, self._slowest_ns / 1e6)
+            self._begin()
+            self._since_s = now_s
+        for each in self._compared.values():
+            each.follow(now_s - self._since_s, self._slowest_ns / 1e6)
         self._next_s = now_s + min(max(SAMPLE_S, SHARE * (time.perf_counter() - begin)), LONGEST_S)
         self._slowest_ns, self._drawing = 0, None
+
+    def _begin(self):
+        """Measure anew from here on."""
+        session, row = self._sessions.now, self.measured_row
+        self._compared = {name: Measurements(each, row) for name, each in session.sessions.items()}
+        self.measurements = next(each for each in self._compared.values() if each.session is session)
+
+    def compared_table(self):
+        """Return (columns, rows) of what was measured in all worlds; the present alone, where that is nothing."""
+        if not self.measurements:
+            self._begin()
+            for each in self._compared.values():
+                each.follow(0.0, 0.0)
+            compared, self.measurements = self._compared, None
+        else:
+            compared = self._compared
+        alike = len({each.codes for each in compared.values()}) == 1
+        columns = next(iter(compared.values())).columns
+        columns = columns if alike else COMMON_COLUMNS
+        return ("world", *columns), [
+            (name, *row[: len(columns)]) for name, each in compared.items() for row in each.rows()
+        ]
 
     def _watch(self, now_s):
         """Count reactions if there are any to count and it is time to."""
@@ -154,9 +181,15 @@ class Plots:
 
     def _cards(self):
         """Return the functions that draw the cards: of sand how it flows and lies, of others how much there is."""
+        if len(self._compared) > 1:
+            theme, colours = self._display.theme, colours_of_worlds(self._display.theme.colours, self._compared)
+            return [partial(self._comparison, theme, quantity, colours) for quantity in quantities(self.measurements)]
         if self._sessions.now.rule.codes.is_sand:
             return self._flow, self._filling, self._pile, self._frames, self._audit
         return self._amounts, self._reactions, self._books, self._frames, self._audit
+
+    def _comparison(self, theme, quantity, colours, rect):
+        return comparison_card(theme, rect, quantity, self._compared, colours)
 
     def _amounts(self, rect):
         rule = self._sessions.now.rule
@@ -176,6 +209,8 @@ class Plots:
 
     def _edges(self, length, tall, count):
         """Return where the cards begin and end along the area; the audit of coloured sand may take more than others."""
+        if len(self._compared) > 1:
+            return [length * number // count for number in range(count + 1)]
         account, audit = self._sessions.now.account, length // count
         if account.mixed:
             theme, gap = self._display.theme, self._display.theme.px(GAP)
@@ -199,7 +234,7 @@ class Plots:
         if theme.width(f"{title} {now}", look.SMALL) > rect.width - 2 * theme.px(charts.PAD):
             title = "Flow"
         strokes, room = charts.card(theme, rect, title, now)
-        room, foot = self._with_foot(room)
+        room, foot = charts.with_foot(self._display.theme, room, self._nows())
         low = -charts.round_up(-min([0.0, *known]))
         high = charts.round_up(max([0.1, *known]))
         figures, room = self._scale(room, low, high)
@@ -212,7 +247,11 @@ class Plots:
         below = (room.x, room.y, room.width, self._display.theme.px(charts.HEAD))
         strokes.append((draw_list.words, below, "below", look.SMALL, look.RING, 0))
         strokes.append((draw_list.words, below, f"{last.below:,}", look.SMALL, look.RING, 1))
-        room, foot = self._with_foot(pygame.Rect(room.x, below[1] + below[3], room.width, room.height - below[3]))
+        room, foot = charts.with_foot(
+            self._display.theme,
+            pygame.Rect(room.x, below[1] + below[3], room.width, room.height - below[3]),
+            self._nows(),
+        )
         most = charts.round_up(max(1, *(max(each.above, each.below) for each in samples)))
         figures, room = self._scale(room, 0, most)
         series = [([e.above for e in samples], look.ACCENT), ([e.below for e in samples], look.RING)]
@@ -255,16 +294,6 @@ class Plots:
         """Return (figures at the left of `room`, what is left of it): those of `marks`, then the ends and 0."""
         ends = [(each, charts.figure(each)) for each in dict.fromkeys((high, low, 0))]
         return charts.scale(self._display.theme, room, [*marks, *ends], low, high)
-
-    def _with_foot(self, room):
-        """Return (the room above a line with the iterations at both ends, the line's strokes)."""
-        nows, high = self._nows(), self._display.theme.line_height(look.SMALL)
-        if room.height < 3 * high:
-            return room, []
-        foot = (room.x, room.bottom - high, room.width, high)
-        ends = ((f"{nows[0]:,}", 0), (f"iteration {nows[-1]:,}", 1))
-        strokes = [(draw_list.words, foot, text, look.SMALL, look.FAINT, align) for text, align in ends]
-        return pygame.Rect(room.x, room.y, room.width, room.height - high - 2), strokes
 
 
 def _spell_ms(ms):

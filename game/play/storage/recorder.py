@@ -50,7 +50,7 @@ class Recorder:
     def shoot_window(self):
         """Save a picture of the window as it is."""
         surface = self._display.window.surface.copy()
-        self._save_picture(partial(_image_of, surface))
+        self._save_picture(partial(image_of, surface))
 
     def shoot_sand(self):
         """Save a picture of the sand, its cells as many whole pixels wide as they are on the screen."""
@@ -166,7 +166,8 @@ class Film:
         return self._pixels.astype(np.uint8)
 
 
-def _image_of(surface):
+def image_of(surface):
+    """Return the image of what is on a surface."""
     from PIL import Image
 
     return Image.frombytes("RGB", surface.get_size(), pygame.image.tobytes(surface, "RGB"))

@@ -7,15 +7,18 @@ import pygame
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.view.sand_view import SandView
+from game.play.view.swatches import colours_of_worlds
 from game.world.sand.measure import grains_above
 
 TITLE = 26  # height of a title at scale 1
 PAD = 8  # in a title, beside and between its words
+STRIPE = 4  # in the colour of a world, at the left of its title
 GAP = 3  # between panes, so that zoomed worlds are not read as one
 FORMS = (  # of a title, from the fullest: size of its name, words of its count
     *((look.HEADING, 3), (look.HEADING, 1), (look.SMALL, 1)),
     *((look.HEADING, 0), (look.SMALL, 0)),
 )
+LONGEST = "888,888 cells differ"  # of what stands beside a name
 REFRESH_S = 0.25  # the grains left are counted so often
 
 
@@ -31,6 +34,9 @@ class ComparisonView:
         self._shifts = {}  # of each pane from the leading one, in pixels
         self._titles, self._drawn, self._counted_s = {}, {}, None
         self._left = {}  # the grains above the neck in each world
+        self._said = {}  # {name: words} that stand in its title instead
+        self._codes = {}  # the MaterialCodes of each world that its view is made for
+        self._rows = 1  # of words in a title
         self._gaps, self._gapped = [], False  # between panes; whether they are drawn
         self._overlay, self._covered = None, []  # as last drawn, and the rects that it covers
 
@@ -45,6 +51,11 @@ class ComparisonView:
     def panes(self):
         """The parts of the window that show a lattice."""
         return tuple(each.area for each in self._views.values())
+
+    @property
+    def framed(self):
+        """{name: the part of the window that shows a world and its title}."""
+        return {name: self._titles[name].union(each.area) for name, each in self._views.items()}
 
     @property
     def heatmap(self):
@@ -66,16 +77,37 @@ class ComparisonView:
 
     def fit(self, shape, area, margin, theme, walls, substances):
         """Show lattices of `shape` in as many columns of `area` as leave the largest cells."""
-        self._theme, high, gap, number = theme, theme.px(TITLE), theme.px(GAP), len(self._views)
-        ways = [_split(area, number, columns, high, gap) for columns in range(number, 0, -1) if number % columns == 0]
-        rects = max(ways, key=lambda rects: min(rects[0].height / shape[0], rects[0].width / shape[1]))
-        for (name, pane), rect in zip(self._views.items(), rects, strict=True):
-            pane.fit(shape, rect, margin, theme, walls, substances)
+        self._theme, gap, number = theme, theme.px(GAP), len(self._views)
+        ways = [self._split(area, columns, gap) for columns in range(number, 0, -1) if number % columns == 0]
+        self._rows, high, rects = max(
+            ways, key=lambda way: min(way[2][0].height / shape[0], way[2][0].width / shape[1])
+        )
+        sessions = self._comparison.sessions
+        self._codes = {name: each.world.codes for name, each in sessions.items()}
+        for (name, pane), rect, its in zip(self._views.items(), rects, substances, strict=True):
+            pane.fit(shape, rect, margin, theme, walls, [its])
             self._titles[name] = pygame.Rect(rect.x, rect.y - high, rect.width, high)
         lead = self._lead.area
         self._shifts = {each: (s.area.x - lead.x, s.area.y - lead.y) for each, s in self._views.items()}
         self._gaps = _gaps([*self._titles.values()], rects, gap)
         self._drawn, self._gapped = {}, False
+
+    def _split(self, area, columns, gap):
+        """Return (rows of words in a title, its height, the rects of the worlds) in so many columns."""
+        number, theme = len(self._views), self._theme
+        for rows in (1, 2):
+            high = theme.px(TITLE) + (rows - 1) * theme.line_height(look.SMALL)
+            rects = _split(area, number, columns, high, gap)
+            room = rects[0].width - self._beside_words()
+            if all(_width(theme, title, look.HEADING, LONGEST) <= room for title, _ in self.titles().values()):
+                break
+        return rows, high, rects
+
+    def lay_over(self, overlays, words):
+        """Lay {name: HeatmapOverlay} over the worlds and write {name: words} in their titles; else nothing."""
+        self._said = words
+        for name, each in self._views.items():
+            each.heatmap = overlays.get(name)
 
     def show(self, view):
         """Show the lattices through another view."""
@@ -125,9 +157,9 @@ class ComparisonView:
 
         What they show there has another shape or other materials than the views.
         """
-        lead, sessions = self._comparison.world, self._comparison.sessions.items()
-        worlds = {name: session.world for name, session in sessions}
-        return {name: each for name, each in worlds.items() if (each.shape, each.codes) == (lead.shape, lead.codes)}
+        lead, codes = self._comparison.world, self._codes
+        worlds = {name: session.world for name, session in self._comparison.sessions.items()}
+        return {name: each for name, each in worlds.items() if (each.shape, each.codes) == (lead.shape, codes[name])}
 
     def _marks_in(self, name, marks):
         x, y = self._shifts[name]
@@ -138,7 +170,8 @@ class ComparisonView:
     def titles(self):
         """Return what is written above each world."""
         variants = self._comparison.variants
-        return {each: (variants[each].title, f"{self._left.get(each, 0):,} left above") for each in self._views}
+        left = {each: f"{self._left.get(each, 0):,} left above" for each in self._views} | self._said
+        return {each: (variants[each].title, left[each]) for each in self._views}
 
     def _count(self, now_s):
         """Count the grains that are left above, if it is time to."""
@@ -149,29 +182,47 @@ class ComparisonView:
     def _written(self):
         """Return {name: (title, its size, its count)}: the fullest form that there is room for in all titles."""
         theme, titles = self._theme, self.titles()
-        room = min(rect.width for rect in self._titles.values()) - 2 * theme.px(PAD)
+        room = min(rect.width for rect in self._titles.values()) - self._beside_words()
+        width = _width if self._rows == 1 else _wider
         for size, number in FORMS:
             written = {each: (name, size, _first(left, number)) for each, (name, left) in titles.items()}
-            if all(_width(theme, *each) <= room for each in written.values()):
+            if all(width(theme, *each) <= room for each in written.values()):
                 break
         return written
+
+    def _beside_words(self):
+        """Return how much of a title's width is not for words."""
+        return 2 * self._theme.px(PAD)
 
     def _new_titles(self):
         return {each: title for each, title in self._written().items() if title != self._drawn.get(each)}
 
     def _draw_titles(self):
         new, theme, surface = self._new_titles(), self._theme, self._window.surface
+        colours = colours_of_worlds(theme.colours, self._views)
         for name, (title, size, left) in new.items():
             rect, leads = self._titles[name], name == self._comparison.lead
             draw_list.fill(surface, theme, rect, look.SUNKEN)
             if leads:
                 line = theme.px(2)
                 draw_list.fill(surface, theme, (rect.x, rect.bottom - line, rect.width, line), look.ACCENT)
-            words = rect.inflate(-2 * theme.px(PAD), 0)
-            draw_list.words(surface, theme, words, title, size, look.BRIGHT_HANDLE if leads else look.DIM, 0)
-            draw_list.words(surface, theme, words, left, look.SMALL, look.TEXT if leads else look.DIM, 1)
+            upper, lower = self._places(rect)
+            stripe = (rect.x, rect.y, theme.px(STRIPE), rect.height)
+            draw_list.fill(surface, theme, stripe, colours[name])
+            draw_list.words(surface, theme, upper, title, size, look.BRIGHT_HANDLE if leads else look.DIM, 0)
+            align = 1 if self._rows == 1 else 0
+            draw_list.words(surface, theme, lower, left, look.SMALL, look.TEXT if leads else look.DIM, align)
         self._drawn |= new
         return [self._titles[each] for each in new]
+
+    def _places(self, rect):
+        """Return where the name stands in a title, and where the other words."""
+        px = self._theme.px
+        upper = pygame.Rect(rect.x + px(PAD), rect.y, rect.width - 2 * px(PAD), px(TITLE))
+        if self._rows == 1:
+            return upper, upper
+        more = self._theme.line_height(look.SMALL)
+        return upper, pygame.Rect(upper.x, rect.bottom - more - px(4), upper.width, more)
 
     def _draw_gaps(self):
         if self._gapped:
@@ -189,6 +240,11 @@ def _first(words, number):
 def _width(theme, name, size, left):
     """Return how much room a title takes, with what is free between its words."""
     return theme.width(name, size) + (theme.px(PAD) + theme.width(left, look.SMALL) if left else 0)
+
+
+def _wider(theme, name, size, left):
+    """Return how much room a title takes that has two rows of words."""
+    return max(theme.width(name, size), theme.width(left, look.SMALL))
 
 
 def _differs(pane, world, marks):

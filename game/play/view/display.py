@@ -26,10 +26,13 @@ class LatticeView(Protocol):
     blocks: object  # the BlockOverlay over it, or None
 
     def fit(self, shape, area, margin, theme, walls, substances):
-        """Show lattices of `shape` in `area` of the window."""
+        """Show lattices of `shape` in `area` of the window; substances: those of each of them."""
 
     def show(self, view):
         """Show the lattices through another view."""
+
+    def lay_over(self, overlays, words):
+        """Lay {name: HeatmapOverlay} over the lattices and write {name: words} in their titles; else nothing."""
 
     def refresh(self):
         """Draw everything next time."""
@@ -54,7 +57,7 @@ class Display:
         self.layout = None
         self.sand_view: LatticeView = SandView(window)
         self.panel_shown = True
-        self.plots_shown = self.legend_shown = self.figures_shown = False
+        self.plots_shown = self.legend_shown = self.density_shown = self.figures_shown = False
         self.pages = ()  # what takes the place of everything else in the window while it is open
         self.now_s = 0.0  # when this frame is
         self.stale = False  # the view of the sand has to be drawn anew
@@ -82,8 +85,8 @@ class Display:
     def fit(self, session):
         """Lay everything out for a session's worlds, if anything about that has changed; return whether it had."""
         shape, walls = session.world.shape, session.scene.made_of
-        substances = substances_of(session.rule.definition.materials)
-        cards = ("legend",) * self.legend_shown + ("figures",) * self.figures_shown
+        substances = [substances_of(each.rule.definition.materials) for each in session.sessions.values()]
+        cards = ("legend",) * self.legend_shown + ("density",) * self.density_shown + ("figures",) * self.figures_shown
         looks = session, self.window.size, shape, walls, substances, self.colours, self._settings["ui_scale"], cards
         if looks == self._looks:
             return False

@@ -23,13 +23,13 @@ class SandView:
     def fit(self, shape, area, margin, theme, walls, substances):
         """Show a lattice of `shape` in `area` of the window, with a margin in pixels.
 
-        walls: what they are made of. substances: what the cells can hold, for a Painter.
+        walls: what they are made of. substances: what the cells of each lattice can hold, for a Painter.
         """
         self._theme = theme
         self.area = pygame.Rect(area)
         self._inner = self.area.inflate(-2 * margin, -2 * margin)
         self.view = self.whole = View.fit(shape, *self._inner)
-        self._painter = painter.Painter(self.view, theme.colours, walls, self.window.map_rgb, substances=substances)
+        self._painter = painter.Painter(self.view, theme.colours, walls, self.window.map_rgb, substances=substances[0])
         self.refresh()
 
     @property
@@ -42,6 +42,10 @@ class SandView:
         self.view = view
         self._painter.look_through(view)
         self.refresh()
+
+    def lay_over(self, overlays, words):
+        """Lay the one of {name: HeatmapOverlay} over the sand, or nothing; there is no title for `words`."""
+        self.heatmap = next(iter(overlays.values()), None)
 
     def refresh(self):
         """Draw everything next time."""

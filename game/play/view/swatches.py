@@ -3,6 +3,7 @@
 from game.play.ui import theme as look
 from game.world.sand.material_codes import SAND_NAME, WALL_NAME
 
+WORLDS = 0, 4, 1, 5  # numbers of the colours of sand that stand for worlds side by side
 MOST_STRIPES = 3  # in a cell that may hold one of several; with more it may hold nearly anything
 
 
@@ -18,6 +19,11 @@ def swatch_of(colours, material):
 def swatches_of(colours, materials):
     """Return the colours of all Materials, by code."""
     return tuple(swatch_of(colours, each) for each in materials)
+
+
+def colours_of_worlds(colours, names):
+    """Return {name: RGB} of worlds side by side in a theme's Colours."""
+    return {name: colours.swatch(number) for name, number in zip(names, WORLDS, strict=False)}
 
 
 def striped(picture, swatches):

@@ -16,7 +16,11 @@ PLOTS = 210, 132  # pixels at scale 1: width of a column of plots, height of a s
 PLOTS_COLUMN, PLOTS_STRIP = 450, 760  # the least height of the one and width of the other
 LEAST_SAND = 240  # what the plots leave to the sand, or they are not shown
 COLUMN = 242  # pixels at scale 1: width of a column of cards
-CARDS = {"legend": (196, 96), "figures": (196, 108)}  # pixels at scale 1: their heights in a column and in a strip
+CARDS = {
+    "legend": (196, 96),
+    "density": (124, 96),
+    "figures": (196, 108),
+}  # pixels at scale 1: their heights in a column and in a strip
 STRIP = 480  # pixels at scale 1: the least width in which two cards stand side by side
 MOST_CARDS = 0.5  # of the height of the sand's part of the window, that cards below it may take
 

@@ -17,6 +17,7 @@ LIGHTNESS = 0.2, 0.86  # of the rarest and of the surest, in Oklab
 HUE = 300.0, 165.0  # degrees in Oklab, violet to green: far from the sand's amber
 CHROMA = 0.1  # at its most, halfway; more does not fit the screen's colours
 KEPT = 0.45, 0.12  # the part of the sand's own colour that shows where it will never be, and where it will
+MARK_KEPT = 0.2  # of a cell that is marked
 STALE_KEPT = 0.45, 0.35
 STALE_CHROMA = 0.0  # a stale forecast is grey
 
@@ -39,6 +40,24 @@ def cover(map_rgb, stale=False):
     laid = scale(stale).astype(np.uint32) * (256 - kept)[:, None] >> np.uint32(8)
     laid[NEVER] = laid[SOLID] = 0
     return kept, np.array([map_rgb(*colour) for colour in laid.tolist()], np.uint32)
+
+
+def density_cover(map_rgb):
+    """Return (kept, laid) as `cover` does, for a density map: all of a cell but a wall is covered."""
+    kept = np.zeros(LEVELS, np.uint32)
+    kept[SOLID] = 256
+    laid = np.array([map_rgb(*colour) for colour in scale().tolist()], np.uint32)
+    laid[SOLID] = 0
+    return kept, laid
+
+
+def mark_cover(map_rgb, colour):
+    """Return (kept, laid) as `cover` does, for cells that are marked with a colour, RGB, and others that are not."""
+    kept = np.full(LEVELS, round(256 * MARK_KEPT), np.uint32)
+    laid = np.full(LEVELS, map_rgb(*(round(part * (1.0 - MARK_KEPT)) for part in colour)), np.uint32)
+    kept[NEVER] = kept[SOLID] = 256
+    laid[NEVER] = laid[SOLID] = 0
+    return kept, laid
 
 
 def scale_over_air(colours, stale=False):

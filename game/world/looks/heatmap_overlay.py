@@ -5,14 +5,15 @@ from functools import lru_cache
 import numpy as np
 
 from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
-from game.world.looks.heatmap_colours import cover
+from game.world.looks.heatmap_colours import cover, density_cover, mark_cover
 
 
 class HeatmapOverlay:
-    """The levels of one forecast, (height, width) uint8, over the cells of a CropBox."""
+    """Levels, (height, width) uint8, over the cells of a CropBox."""
 
-    def __init__(self, box, levels, stale):
-        self.stale = stale
+    def __init__(self, box, levels, covers):
+        """`covers`: how levels look, `forecast_covers` or another function of map_rgb, see `themes.palette`."""
+        self.covers = covers
         self._box, self._all = box, levels
         self._view = None  # the view that everything below is computed for
 
@@ -20,7 +21,7 @@ class HeatmapOverlay:
         """Lay the heat over the spans (top, bottom) of rows of `pixels`, an (h, w) uint32 array, in place, once."""
         if view is not self._view:
             self._look_through(view)
-            self._covers = _covers(map_rgb, self.stale)
+            self._covers = self.covers(map_rgb)
         for top, bottom in spans:
             rows = self._rows[max(top - self._top, 0) : max(bottom - self._top, 0)]
             lay_heat(self._levels, self._covers, self._columns, rows, pixels, max(top, self._top), self._left)
@@ -42,8 +43,32 @@ class HeatmapOverlay:
 
 
 @lru_cache(maxsize=8)
-def _covers(map_rgb, stale):
-    return covers_of(*cover(map_rgb, stale))
+def forecast_covers(map_rgb):
+    """Return how the levels of a forecast look over sand."""
+    return covers_of(*cover(map_rgb))
+
+
+@lru_cache(maxsize=8)
+def stale_covers(map_rgb):
+    """Return how the levels of a forecast look that no longer fits the sand."""
+    return covers_of(*cover(map_rgb, stale=True))
+
+
+@lru_cache(maxsize=8)
+def density_covers(map_rgb):
+    """Return how the levels of a density map look, which leaves nothing of the sand below it to be seen."""
+    return covers_of(*density_cover(map_rgb))
+
+
+@lru_cache(maxsize=8)
+def mark_covers(colour):
+    """Return a function of map_rgb that returns how cells look that are marked with a colour, RGB."""
+
+    @lru_cache(maxsize=8)
+    def covers(map_rgb):
+        return covers_of(*mark_cover(map_rgb, colour))
+
+    return covers
 
 
 def _inside(cells, first, size):

@@ -109,6 +109,34 @@ def states_at(world, rule, moments, runs=_RUNS, of=SAND_NAME, progress=None, can
     return states
 
 
+class FollowedRuns:
+    """Runs of one group that are followed from moment to moment: `density` at one after another, none of it twice."""
+
+    def __init__(self, world, rule, runs, of=SAND_NAME):
+        """Start `runs` runs, as for `density`; `world` must stay as it is meanwhile."""
+        self._ensemble = _checked(world, rule, runs, of)
+        self.runs = self._ensemble.runs
+        self._group = _group(self._ensemble, 0, self.runs // self._ensemble.weight)
+        self.now = 0  # iterations since the start
+
+    @property
+    def certain(self):
+        """Whether all runs are alike."""
+        return self._ensemble.weight > 1
+
+    def run_to(self, moment, cancelled=None):
+        """Go on to a moment that is not before `now`; once cancelled() has returned true, Cancelled is raised."""
+        for _ in _stretches(self._group, self._ensemble, self.now, moment, cancelled):
+            pass
+        self.now = moment
+
+    def counts(self):
+        """Return how many runs have the material in each cell now: (H, W) int64."""
+        counts = np.zeros(self._ensemble.world.shape, np.int64)
+        _count(self._group, self._ensemble, counts)
+        return counts
+
+
 def _count(group, ensemble, counts):
     for code in ensemble.counted:
         count_replicas(group, code, ensemble.weight, counts)

@@ -3,12 +3,12 @@
 import time
 from dataclasses import dataclass, replace
 
-from game.world.rules.rule import SCHEDULES
+from game.world.rules.rule import SCHEDULES, Rule
 from game.world.sand import parameters
 from game.world.sessions.action import Load, SetRule
 from game.world.sessions.session import Session
 
-SEEDS = 3  # worlds of different seeds
+MOST = 4  # worlds that are compared
 
 
 @dataclass(frozen=True)
@@ -19,9 +19,12 @@ class Variant:
     schedule: str | None = None
     p: float | None = None
     later: int = 0  # added to the seed
+    played: Rule | None = None  # whatever is set
 
     def rule(self, rule):
         """Return a rule as this variant has it."""
+        if self.played is not None:
+            return self.played
         if self.p is not None and rule.leans:
             rule = rule.toppling(self.p, rule.bias)
         return rule.with_schedule(self.schedule) if self.schedule else rule
@@ -33,23 +36,32 @@ class Variant:
     def scene(self, scene):
         """Return a scene under this variant; where that changes nothing, the scene itself."""
         rule = self.rule(scene.rule)
-        return scene if rule == scene.rule else replace(scene, rule=rule, shipped=False)
+        if rule == scene.rule:
+            return scene
+        cells = scene.cells if rule.codes == scene.rule.codes else scene.world().of(rule.codes).materials
+        colours = scene.colours if rule.codes.is_sand else None
+        return replace(scene, rule=rule, cells=cells, colours=colours, shipped=False)
 
 
-def by_schedule(_):
-    """Return the Variants of the three schedules, by name."""
-    return {each: Variant(each.capitalize(), schedule=each) for each in SCHEDULES}
+def by_schedule(_, schedules=tuple(SCHEDULES)):
+    """Return the Variants of schedules, by title."""
+    return {each.capitalize(): Variant(each.capitalize(), schedule=each) for each in schedules}
 
 
-def by_friction(_):
-    """Return the Variants of the paper's four values of p, by title."""
-    return {f"p = {p:g}": Variant(f"p = {p:g}", p=p) for p in parameters.PAPER_P}
+def by_friction(_, values=parameters.PAPER_P):
+    """Return the Variants of values of p, by title."""
+    return {f"p = {p:g}": Variant(f"p = {p:g}", p=p) for p in values}
 
 
-def by_seed(seed):
-    """Return the Variants of some seeds, by title, the session's own first."""
-    variants = [Variant(f"Seed {(seed + later) % 2**64}", later=later) for later in range(SEEDS)]
+def by_seed(seed, number=MOST):
+    """Return the Variants of so many seeds, by title, the session's own first."""
+    variants = [Variant(f"Seed {(seed + later) % 2**64}", later=later) for later in range(number)]
     return {each.title: each for each in variants}
+
+
+def by_rule(_, rules):
+    """Return the Variants of {title: Rule}, by title."""
+    return {title: Variant(title, played=rule) for title, rule in rules.items()}
 
 
 class Comparison(Session):

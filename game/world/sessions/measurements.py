@@ -12,7 +12,7 @@ from game.world.sessions.action import SetRule
 
 LATELY = 8  # samples by which reactions are put in order
 MOST = 1000  # samples kept: when there are more, every other one is dropped
-_COLUMNS = (
+COMMON_COLUMNS = (
     "iteration",
     "seconds",
     "above_grains",
@@ -107,9 +107,9 @@ class Measurements:
     def columns(self):
         """What the numbers of a row are."""
         if self.codes.is_sand:
-            return *_COLUMNS, *(f"{colour}_grains" for colour in COLOURS)
+            return *COMMON_COLUMNS, *(f"{colour}_grains" for colour in COLOURS)
         cells = (f"{name.replace(' ', '_')}_cells" for name in self.codes.names)
-        return *_COLUMNS, *cells, *(f"{name.replace(' ', '_')}_per_iteration" for name in self.reactions())
+        return *COMMON_COLUMNS, *cells, *(f"{name.replace(' ', '_')}_per_iteration" for name in self.reactions())
 
     def rows(self):
         """Return the story as rows of numbers, as `columns` names them."""
@@ -134,7 +134,10 @@ def _thinned(samples):
 
 
 def csv(columns, rows):
-    """Return rows of numbers as the bytes of a CSV file with a header; what is not known is left empty."""
+    """Return rows of numbers, and of words without commas, as the bytes of a CSV file with a header.
+
+    What is not known is left empty.
+    """
     lines = [",".join(columns)]
     lines += [",".join(_spelled(number) for number in row) for row in rows]
     return ("\r\n".join(lines) + "\r\n").encode("ascii")

@@ -21,6 +21,7 @@ class Session:
         self.paused = False
         self.clock = Clock(scene.speed)
         self.due = self.done = 0  # iterations of the last frame: wanted, and run
+        self.halt_at = None  # the iteration since the session began at which time is to stand still, if any
         self.journal = None  # the Journal that hears of every act, if any
         self.lost_journal = None  # the path of the one that could not be gone on with
         self.trouble = None  # why the journal has stopped, in one line; the sand goes on
@@ -53,6 +54,11 @@ class Session:
     def seed(self):
         """The seed of the world."""
         return self.world.seed
+
+    @property
+    def sessions(self):
+        """{name: session} of what is shown side by side: of a comparison several, else this one alone."""
+        return {self.scene.title: self}
 
     @property
     def account(self):
@@ -154,7 +160,11 @@ class Session:
             self.timeline.catch_up(budget_ns)
             self.done = 0
             return abs(self.timeline.moment.now - before)
+        if self.halt_at is not None:
+            self.due = min(self.due, max(0, self.halt_at - self.now))
         self.done = self._run(self.due, budget_ns)
+        if self.halt_at is not None and self.now >= self.halt_at:
+            self.paused, self.halt_at = True, None
         self._keep_pace()
         self._note(Entry(self.now, WAIT))
         return self.done

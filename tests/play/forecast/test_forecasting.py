@@ -13,6 +13,7 @@ from game.play.forecast.forecasting import STALE_S
 from game.play.ui import theme as look
 from game.world.background.forecast_thread import ForecastThread, forecast_of
 from game.world.looks.heatmap_colours import cover
+from game.world.looks.heatmap_overlay import stale_covers
 from game.world.looks.painter import rgb
 from game.world.looks.themes import THEMES
 from game.world.looks.view import View
@@ -226,16 +227,16 @@ def test_a_forecast_that_answers_another_question_is_shown_as_stale(player, stuc
     player.hold_time()
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.parts.display.sand_view.heatmap.stale
+    assert not forecasting.stale and player.parts.display.sand_view.heatmap.covers is not stale_covers
     stuck.free.clear()
     forecasting.ahead += 1
     player.frame()
     assert not forecasting.stale  # it is about to be answered
     player.wait(int(STALE_S * 1e9 / FRAME_NS) + 2)
-    assert forecasting.stale and player.parts.display.sand_view.heatmap.stale
+    assert forecasting.stale and player.parts.display.sand_view.heatmap.covers is stale_covers
     stuck.free.set()
     see_forecast(player)
-    assert not forecasting.stale and not player.parts.display.sand_view.heatmap.stale
+    assert not forecasting.stale and player.parts.display.sand_view.heatmap.covers is not stale_covers
 
 
 @pytest.mark.parametrize("act", [SetRule(Rule.with_p(0.1)), Flip()])

@@ -1,4 +1,4 @@
-"""Three schedules in one window: what is done in one pane is done in all, and the same key leads back."""
+"""Worlds side by side: what is done in one pane is done in all, and the same key leads back."""
 
 import itertools
 
@@ -21,6 +21,7 @@ from tests.play.player import Player
 def three():
     """Return a Player of the hourglass under three schedules."""
     player = Player("hourglass", (1100, 700))
+    player.parts.comparing.subject = "schedule"
     player.wait(20)
     player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
     player.wait(1)
@@ -42,6 +43,7 @@ def places_in(player, column, row):
 
 def test_the_key_shows_the_present_sand_three_times_and_goes_back_to_where_it_was():
     player = Player("hourglass", (1100, 700))
+    player.parts.comparing.subject = "schedule"
     player.wait(20)
     player.hold_time()
     before, digest = player.session, player.world.digest()
@@ -86,9 +88,9 @@ def test_each_pane_shows_its_own_world_and_what_is_left(three):
         seen.append(surface[left + dx : right + dx, top + dy : bottom + dy])
     assert (seen[0] != seen[1]).any() and (seen[1] != seen[2]).any()
     titles = three.parts.display.sand_view.titles()
-    for schedule, session in three.session.sessions.items():
+    for title, session in three.session.sessions.items():
         left = int(np.count_nonzero(session.world.sand[: session.scene.neck]))
-        assert titles[schedule] == (schedule.capitalize(), f"{left:,} left above")
+        assert titles[title] == (title, f"{left:,} left above")
 
 
 @pytest.mark.parametrize(("size", "scale"), [((640, 480), 1), ((1100, 700), 1), ((1360, 860), 2), ((1360, 860), 3)])
@@ -100,11 +102,17 @@ def test_name_and_count_of_a_title_lie_side_by_side_and_every_name_is_whole(thre
     monkeypatch.setattr(draw_list, "words", lambda *how: written.append(how) or words(*how))
     three.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
     sand_view, theme = three.parts.display.sand_view, three.parts.display.theme
-    for pane, (wanted, _) in zip(sand_view.panes, sand_view.titles().values(), strict=True):
-        title = pygame.Rect(pane.x, pane.y - theme.px(TITLE), pane.width, theme.px(TITLE))
+    for pane, framed, (wanted, told) in zip(
+        sand_view.panes, sand_view.framed.values(), sand_view.titles().values(), strict=True
+    ):
+        title = pygame.Rect(framed.topleft, (framed.width, framed.height - pane.height))
         (name, text, kind), (left, count, other) = [each[2:5] for each in written if title.contains(each[2])]
         assert text == wanted and name.x + theme.width(text, kind) <= name.right
-        assert name.x + theme.width(text, kind) < left.right - theme.width(count, other)
+        assert count and told.startswith(count) and theme.width(count, other) <= left.width
+        if name.y == left.y:
+            assert name.x + theme.width(text, kind) < left.right - theme.width(count, other)
+        else:
+            assert name.bottom <= left.centery
 
 
 def test_a_line_parts_zoomed_panes(three):
@@ -156,7 +164,7 @@ def test_still_panes_are_not_drawn_again(three):
 def test_four_values_of_p_stand_where_they_are_largest_with_all_of_their_titles(size):
     player = Player("paper", size)
     player.wait(1)
-    player.click(player.control("Compare p"))
+    player.click(player.control("Compare"))
     player.settle()
     view, area = player.parts.display.sand_view, player.parts.display.layout.sand
     panes = view.panes
@@ -174,12 +182,11 @@ def test_four_values_of_p_stand_where_they_are_largest_with_all_of_their_titles(
 def test_many_materials_are_compared_but_not_by_p():
     player = Player("kitchen", (1100, 700))
     player.wait(1)
-    names = player.parts.panel.ui.focus.slots
-    assert "Compare seeds" in names and "Compare p" not in names
-    player.click(player.control("Compare seeds"))
+    assert player.parts.comparing.subjects == ("schedule", "seed", "rule")
+    player.click(player.control("Compare"))
     player.settle()
     player.wait(20)
-    assert len({each.world.digest() for each in player.session.sessions.values()}) == 3
+    assert len({each.world.digest() for each in player.session.sessions.values()}) == 4
     player.parts.close()
     pygame.display.quit()
 

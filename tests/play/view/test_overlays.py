@@ -161,7 +161,7 @@ def test_a_line_goes_with_what_it_is_about(player):
     parts.notices.say("The same, of another session.")
     player.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
     player.wait(1)
-    assert "three schedules" in parts.notices.text
+    assert "The same sand with" in parts.notices.text
 
 
 def test_trouble_is_told_whatever_is_shown_meanwhile(player):
@@ -174,12 +174,12 @@ def test_trouble_is_told_whatever_is_shown_meanwhile(player):
 def test_a_notice_goes_when_what_it_says_holds_no_more(player):
     parts = player.parts
     player.key(pygame.K_h, mod=pygame.KMOD_LSHIFT)
-    assert "three schedules" in parts.notices.text
+    assert "The same sand with" in parts.notices.text
     player.wait(5)
-    assert "three schedules" in parts.notices.text
+    assert "The same sand with" in parts.notices.text
     player.key(pygame.K_ESCAPE)
     player.wait(2)
-    assert "three schedules" not in (parts.notices.text or "")
+    assert "The same sand with" not in (parts.notices.text or "")
     player.key(pygame.K_b)
     assert "Zoom in" in parts.notices.text
     player.key(pygame.K_b)

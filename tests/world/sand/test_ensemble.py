@@ -251,3 +251,13 @@ def test_runs_at_rest_wake_where_a_fixture_acts(kind, x, y):
     found = counts_at(world, rule, [40], 1)[0]
     advance(world, rule, 40)
     assert world.grains != sand.sum() and (found == world.sand).all()
+
+
+@pytest.mark.parametrize("rule", [SEVEN, Rule(schedule="balanced")])
+def test_runs_that_are_followed_are_those_that_are_counted_at_each_moment(rule):
+    moments, runs = [0, 1, 7, 7, 40], forecast.FollowedRuns(PILE, rule, 300)
+    counted = counts_at(PILE, rule, moments, runs=300)
+    for moment, wanted in zip(moments, counted, strict=True):
+        runs.run_to(moment)
+        assert runs.now == moment and (runs.counts() == wanted).all()
+    assert runs.certain == (rule is not SEVEN)

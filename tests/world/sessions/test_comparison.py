@@ -2,15 +2,16 @@
 
 import time
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
 
-from game import Rule, advance, load_scene
+from game import Rule, advance, load_rule, load_scene
 from game.world.rules.rule import SCHEDULES
 from game.world.sand import parameters
 from game.world.sessions.action import Clear, Flip, Load, Paint, SetRule, apply
-from game.world.sessions.comparison import Comparison, by_friction, by_schedule, by_seed, present
+from game.world.sessions.comparison import Comparison, by_friction, by_rule, by_schedule, by_seed, present
 from game.world.sessions.session import BUDGET_NS, Session
 
 FRAME_NS = 16_666_667
@@ -34,7 +35,7 @@ def test_each_world_is_an_advance_of_its_own_rule(three):
     assert three.now > 50
     for schedule, session in three.sessions.items():
         alone = start.copy()
-        advance(alone, Rule.with_p(0.6, schedule), three.now)
+        advance(alone, Rule.with_p(0.6, schedule.lower()), three.now)
         assert session.world.digest() == alone.digest()
     assert len(set(digests(three).values())) == 3
 
@@ -48,14 +49,14 @@ def test_what_is_done_to_one_is_done_to_all_and_each_keeps_its_schedule(three):
         Clear(),
         Paint("sand", (22.0, 10.0), (22.0, 10.0), 9),
     ]
-    worlds = {each: (three.world.copy(), Rule.with_p(0.6, each)) for each in SCHEDULES}
+    worlds = {each.capitalize(): (three.world.copy(), Rule.with_p(0.6, each)) for each in SCHEDULES}
     for act in acts:
         three.do(act)
         for _ in range(5):
             three.frame(FRAME_NS)
         for schedule, (world, rule) in worlds.items():
             world, rule = apply(act, world, rule)[:2]
-            rule = replace(rule, schedule=schedule)
+            rule = replace(rule, schedule=schedule.lower())
             advance(world, rule, three.now - world.iteration)
             worlds[schedule] = world, rule
         assert digests(three) == {each: world.digest() for each, (world, _) in worlds.items()}
@@ -169,7 +170,7 @@ def test_an_undo_on_the_way_to_a_far_moment_leaves_the_worlds_alike(three):
 def test_an_act_that_changes_any_of_the_worlds_is_one_of_all(three):
     three.timeline.run(60)
     three.keep_up()
-    leading, other = three.world, three.others["paper"].world
+    leading, other = three.world, three.others["Paper"].world
     row, column = np.argwhere(other.sand & ~leading.sand)[0].tolist()
     dot = Paint("erase", (column, row), (column, row), 1, only="sand")
     before = digests(three)
@@ -200,7 +201,7 @@ def test_four_values_of_p_differ_in_nothing_else(p, lead):
 
 def test_worlds_of_three_seeds_differ_in_nothing_else():
     scene = replace(load_scene("hourglass", (45, 60)), rule=Rule.with_p(0.5))
-    three = Comparison(scene, seed=2**64 - 1, subject=by_seed)
+    three = Comparison(scene, seed=2**64 - 1, subject=partial(by_seed, number=3))
     assert list(three.sessions) == [f"Seed {2**64 - 1}", "Seed 0", "Seed 1"] and three.lead == f"Seed {2**64 - 1}"
     three.timeline.run(50)
     three.keep_up()
@@ -213,9 +214,25 @@ def test_worlds_of_three_seeds_differ_in_nothing_else():
 
 
 def test_any_rule_can_be_compared_under_schedules_and_seeds():
-    for subject in (by_schedule, by_seed):
+    for subject in (by_schedule, partial(by_seed, number=3)):
         three = Comparison(load_scene("kitchen"), seed=4, subject=subject)
         for _ in range(3):
             three.frame(FRAME_NS)
         assert all(session.account.balanced(session.world) for session in three.sessions.values())
         assert len(set(digests(three).values())) == 3
+
+
+def test_worlds_of_several_rules_start_from_the_same_cells_and_are_painted_alike():
+    scene = load_scene("hourglass", (45, 60))
+    rules = {"Sand": scene.rule, "Rolling": load_rule("rolling-sand"), "Water": load_rule("water-and-oil")}
+    three = Comparison(scene, seed=3, subject=partial(by_rule, rules=rules))
+    assert three.lead == "Sand" and [each.rule for each in three.sessions.values()] == [*rules.values()]
+    assert all((each.world.sand == scene.sand).all() for each in three.sessions.values())
+    assert all((each.world.walls == scene.walls).all() for each in three.sessions.values())
+    three.do(Paint("sand", (22.0, 30.0), (30.0, 32.0), 5))
+    three.do(SetRule(Rule.with_p(0.2)))
+    for _ in range(30):
+        three.frame(FRAME_NS)
+    assert [each.rule for each in three.sessions.values()] == [*rules.values()]
+    assert len({each.world.sand.tobytes() for each in three.sessions.values()}) > 1
+    assert all(session.account.balanced(session.world) for session in three.sessions.values())
