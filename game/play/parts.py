@@ -33,6 +33,7 @@ from game.play.panel.timer_section import TimerSection
 from game.play.panel.tools_section import ToolsSection
 from game.play.panel.window_section import WindowSection
 from game.play.plots.plots import Plots
+from game.play.storage.canvas_card import CanvasCard
 from game.play.storage.comparison_files import ComparisonFiles
 from game.play.storage.crash_recovery import CrashRecovery
 from game.play.storage.files import Files
@@ -103,6 +104,7 @@ class Parts:
         self.files = Files(
             self.sessions, self.journals, self.photo_import, self.rule_files, self.background, self.notices
         )
+        self.canvas_card = CanvasCard(self.sessions, self.display, self.files, self.rule_files, self.notices)
         self.recorder = Recorder(self.sessions, self.display, self.background, self.notices)
         self.comparison_files = ComparisonFiles(self.sessions, self.display, self.plots, self.background, self.notices)
         self.crash_recovery = CrashRecovery(self.sessions, self.journals, self.dialog, self.background, self.notices)
@@ -139,7 +141,10 @@ class Parts:
                 *(self.forecasting, self.stats_card, self.plots, self.differences, self.density),
                 *(self.help, self.hiss, self.panel, self.quit),
             ),
-            FileCommands(sessions, self.files, self.gallery, self.recorder, self.plots, self.comparison_files),
+            FileCommands(
+                *(sessions, self.files, self.gallery, self.recorder, self.plots, self.comparison_files),
+                self.canvas_card,
+            ),
             PieceCommands(sessions, notices, brush),
         )
         self.panel.hold(self._sections())
@@ -157,7 +162,7 @@ class Parts:
         pacers = self.fast_forward, self.timer
         self.frame_step = FrameStep(sessions, display, self.settings, self.time_bar, self.rewind, pacers)
         self.renderer = Renderer(display)
-        self.cards = self.photo_import, self.dialog  # the first lies on top
+        self.cards = self.canvas_card, self.photo_import, self.dialog  # the first lies on top
         self.overlays = [self.glow, self.block_card, *self.cards[::-1]]
         hints = Hints(self.settings, sessions, display, notices)
         self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss, hints]

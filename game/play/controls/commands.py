@@ -11,14 +11,23 @@ from game.play.controls.view_commands import ViewCommands
 class FileCommands:
     """The keys and buttons of scenes, pictures and recordings."""
 
-    def __init__(self, sessions, files, gallery, recorder, plots, comparison_files):
+    def __init__(self, sessions, files, gallery, recorder, plots, comparison_files, canvas_card):
         self._sessions, self._files, self._gallery = sessions, files, gallery
         self._recorder, self._plots, self._comparison_files = recorder, plots, comparison_files
+        self._canvas_card = canvas_card
 
     def save(self):
         """Save the scene as it is now."""
         if self._sessions.ready():
             self._files.save()
+
+    def new_canvas(self):
+        """Ask what an empty canvas is to be like."""
+        self._canvas_card.ask_new()
+
+    def resize_canvas(self):
+        """Ask how large the canvas is to become."""
+        self._canvas_card.ask_size()
 
     def open_shipped(self, name):
         """Put a shipped scene in place of this one."""

@@ -111,6 +111,8 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
     ),
     "Scenes and pictures": (
         Key("F2", (pygame.K_F2,), "files.show_scenes", "gallery of scenes"),
+        Key("Ctrl+N R", (pygame.K_n,), "files.new_canvas", "new canvas; another size for it", CTRL),
+        Key("", (pygame.K_r,), "files.resize_canvas", "", CTRL),
         Key("Ctrl+S", (pygame.K_s,), "files.save", "save the scene", CTRL),
         Key("Ctrl+O", (pygame.K_o,), "files.open_scenes", "open a saved scene", CTRL),
         Key("F12", (pygame.K_F12,), "files.shoot_window", "picture of the window"),

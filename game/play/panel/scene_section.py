@@ -9,6 +9,13 @@ class SceneSection:
     def __init__(self, sessions, commands):
         self._sessions, self._commands = sessions, commands
         self._names = scene_names()
+        new = "An empty canvas of any size, or another size for this one"
+        self._buttons = (
+            ("Gallery", "F2", "All scenes at once, running, with a sentence about each", commands.show_scenes),
+            ("New", "Ctrl+N", new, commands.new_canvas),
+            ("Save", "Ctrl+S", "Saves sand, walls and settings in one picture", commands.save),
+            ("Open", "Ctrl+O", "Shows the saved scenes; the one you open replaces this one", commands.open_scenes),
+        )
 
     def lay_out(self, ui):
         """Show the section and do what it was told."""
@@ -21,10 +28,9 @@ class SceneSection:
             commands.open_shipped(names[chosen])
         if scene.notice:
             ui.text(scene.notice, dim=True)
-        ui.row(3)
-        if ui.button("Gallery", key="F2", tip="All scenes at once, running, with a sentence about each"):
-            commands.show_scenes()
-        if ui.button("Save", key="Ctrl+S", tip="Saves sand, walls and settings in one picture"):
-            commands.save()
-        if ui.button("Open", key="Ctrl+O", tip="Shows the saved scenes; the one you open replaces this one"):
-            commands.open_scenes()
+        columns = 4 if ui.has_room_for("Gallery", 4) else 2
+        for number, (label, key, tip, command) in enumerate(self._buttons):
+            if number % columns == 0:
+                ui.row(columns)
+            if ui.button(label, key=key, tip=tip):
+                command()

@@ -52,6 +52,10 @@ class Files:
         else:
             self.open(asset("scenes", f"{name}.toml"))
 
+    def open_made(self, made, name):
+        """Open the scene that made() returns, which may take long; the window tells of what it raises on a file."""
+        self._background.do(partial(_made_ready, made), lambda scene: self._take((scene, name)))
+
     def play_demo(self, name):
         """Play a shipped replay."""
         self.open(asset("replays", f"{name}{replay.SUFFIX}"))
@@ -99,6 +103,14 @@ def read(path):
         if isinstance(found, Photo):
             found.picture(in_colours=True)  # which is slow for the first time, and what is shown first
     scene = found.scene if isinstance(found, SeededScene) else found
-    if isinstance(scene, Scene) and not scene.rule.is_sand:
-        make_ready(scene.rule, scene.made_of, scene.cell, scene.coloured, scene.fixtures)
+    if isinstance(scene, Scene):
+        _made_ready(lambda: scene)
     return found, as_line(path.stem)
+
+
+def _made_ready(made):
+    """Return the Scene that made() returns, once its rule is compiled."""
+    scene = made()
+    if not scene.rule.is_sand:
+        make_ready(scene.rule, scene.made_of, scene.cell, scene.coloured, scene.fixtures)
+    return scene

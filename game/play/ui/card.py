@@ -31,7 +31,12 @@ class Card:
         return self.ui.begin(rect, events, now_s, mouse_pos)
 
     def draw(self, surface, theme):
-        """End the frame: draw the box and the controls; return the rects that they cover."""
+        """End the frame: draw the box and the controls; return the rects that they cover.
+
+        A card that was opened in this frame is not laid out yet, and shows in the next.
+        """
+        if not self.rect:
+            return []
         covered = draw_box(surface, theme, self.rect)
         self.ui.invalidate()
         self.ui.end(surface)

@@ -14,7 +14,7 @@ from game.play.ui.input import ENTER, key_name
 
 ROW = 28  # height of a control at scale 1
 GAP = 6  # below a control with a filled body
-INSET = 8  # from the edge of a body to the text in it
+INSET, LEAST_INSET = 8, 3  # from the edge of a body to the text in it, and where that leaves the text no room
 ASIDE = 10  # from a button's label to its key
 
 PUSH_KEYS = frozenset({ENTER, pygame.K_SPACE})
@@ -68,12 +68,17 @@ def body(ui, rect, me, enabled=True):
 def _button_words(ui, rect, label, key, colour):
     """Write the label in the middle, or where there is room for the key at the left and the key at the right."""
     px, width = ui.theme.px, ui.theme.width
-    inner = rect.inflate(-2 * px(INSET), 0)
     hint, wide = width(key, look.SMALL), width(label, look.BODY)
+    inner = rect.inflate(-2 * px(INSET if wide + 2 * px(INSET) <= rect.width else LEAST_INSET), 0)
     if key and wide + px(ASIDE) + hint <= inner.width:
         ui.stroke(draw_list.words, inner, key, look.SMALL, look.FAINT, 1)
         inner = pygame.Rect(inner.x, inner.y, wide, inner.height)
     ui.stroke(draw_list.words, inner, label, look.BODY, colour, 0.5)
+
+
+def fits(ui, label, width):
+    """Return whether a label has room on a button so many pixels wide."""
+    return ui.theme.width(label, look.BODY) + 2 * ui.theme.px(LEAST_INSET) <= width
 
 
 def toggle(ui, label, on, tip="", name=None):

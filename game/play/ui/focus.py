@@ -10,6 +10,7 @@ import pygame
 
 from game.play.ui.input import ENTER, ControlEvent
 from game.play.ui.scroll import Scroll
+from game.play.ui.text_line import types
 from game.play.ui.tooltips import Rest
 
 DOUBLE_S = 0.4  # two presses within this time and DOUBLE_PX are a double press
@@ -18,6 +19,7 @@ BAR = "\0scroll bar"  # what is held while the scroll bar is dragged: no control
 
 _LEFT_BUTTON = 1
 _WHEEL_BUTTONS = (4, 5)  # MOUSEWHEEL tells the same
+ALT_GR = pygame.KMOD_RALT | pygame.KMOD_MODE
 _OTHER_MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
 
 
@@ -211,7 +213,7 @@ class Focus:
         return True
 
     def _key(self, event):
-        if event.mod & _OTHER_MODIFIERS:
+        if event.mod & _OTHER_MODIFIERS and not self._types_by_alt_gr(event):
             return False
         if event.key == pygame.K_TAB:
             return self._walk(-1 if event.mod & pygame.KMOD_SHIFT else 1)
@@ -234,7 +236,15 @@ class Focus:
     def _acts_on_focused(self, key, text):
         if self.popup:
             return (text.isprintable() and text != "") or key in self.popup.keys
-        return key in self.slots[self.name].keys and (key != pygame.K_SPACE or self.by_keyboard)
+        slot = self.slots[self.name]
+        if slot.typed and types(text):
+            return True
+        return key in slot.keys and (key != pygame.K_SPACE or self.by_keyboard)
+
+    def _types_by_alt_gr(self, event):
+        """Return whether a key types a letter into a field by AltGr, for which Windows holds Ctrl down as well."""
+        slot = self.slots.get(self.name)
+        return bool(slot and slot.typed and event.mod & ALT_GR and types(getattr(event, "unicode", "")))
 
     def _escape(self):
         """Close the open list, else leave a control that Tab led to; one that was clicked keeps no key from others."""

@@ -22,6 +22,7 @@ class Slot(NamedTuple):
     keys: frozenset = frozenset()
     tip: str = ""
     live: bool = True
+    typed: bool = False  # it takes all that is typed
 
 
 class ControlEvent(NamedTuple):

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import pygame
 
-from game.play.ui import choice_grids, controls, draw_list, dropdown, sliders, tooltips
+from game.play.ui import choice_grids, controls, draw_list, dropdown, sliders, text_field, tooltips
 from game.play.ui import theme as look
 from game.play.ui.focus import BAR as HELD_BAR
 from game.play.ui.focus import Focus
@@ -69,6 +69,7 @@ class Ui:
     segmented = _kept(controls.segmented)
     grid = _kept(choice_grids.grid)
     swatches = _kept(choice_grids.swatches)
+    text_field = text_field.text_field  # not kept: who has the keyboard is no argument of it
     slider = _kept(sliders.slider)
     slider_with_picture = _kept(sliders.slider_with_picture)
     choice = _kept(dropdown.choice)
@@ -176,6 +177,10 @@ class Ui:
         """The width in pixels of the next control's label, where it stands before the control."""
         return max(round(self.width * LABELS[0]), self.theme.px(LABELS[1]))
 
+    def has_room_for(self, label, columns):
+        """Return whether buttons of `columns` in a row have room for a label, each."""
+        return controls.fits(self, label, (self.width + 2 * self.theme.px(BLEED)) // columns - 2 * self.theme.px(BLEED))
+
     def row(self, columns):
         """Let the next `columns` controls share a row."""
         self._flush()
@@ -212,14 +217,14 @@ class Ui:
         """Return the rect of a control without a body: a little wider than its words."""
         return rect.inflate(2 * self.theme.px(BLEED), 0)
 
-    def claim(self, name, rect, ring=None, parts=(), keys=frozenset(), tip="", live=True):
+    def claim(self, name, rect, ring=None, parts=(), keys=frozenset(), tip="", live=True, typed=False):
         """Take a rect for a control and return the claim. `ring`: what the focus ring goes around, if not the rect."""
         while name in self._slots:
             name += "'"
         body = rect if ring is None else ring
         bodiless = rect.x < self.theme.px(PAD)
         ring = body if bodiless else body.inflate(2 * self.theme.px(2), 2 * self.theme.px(2))
-        self._slots[name] = Slot(rect, ring, parts, keys if live else frozenset(), tip, live)
+        self._slots[name] = Slot(rect, ring, parts, keys if live else frozenset(), tip, live, typed)
         focus = self.focus
         return WidgetState(name, focus.events.get(name, []) if live else [], focus.hover == name, focus.held == name)
 

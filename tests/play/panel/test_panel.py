@@ -212,7 +212,11 @@ def test_every_control_is_worked_by_keyboard(glass, unfolded, monkeypatch):
 def back(player):
     """Close what a control has opened."""
     for _ in range(3):
-        if player.parts.display.page or player.parts.panel.ui.focus.popup or player.parts.dialog.shown:
+        if (
+            player.parts.display.page
+            or player.parts.panel.ui.focus.popup
+            or any(each.shown for each in player.parts.cards)
+        ):
             player.key(pygame.K_ESCAPE)
     if player.parts.window.fullscreen:
         player.parts.commands.view.toggle_fullscreen()
