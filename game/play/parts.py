@@ -105,7 +105,7 @@ class Parts:
             self.sessions, self.journals, self.photo_import, self.rule_files, self.background, self.notices
         )
         self.canvas_card = CanvasCard(self.sessions, self.display, self.files, self.rule_files, self.notices)
-        self.recorder = Recorder(self.sessions, self.display, self.background, self.notices)
+        self.recorder = Recorder(self.sessions, self.display, self.settings, self.background, self.notices)
         self.comparison_files = ComparisonFiles(self.sessions, self.display, self.plots, self.background, self.notices)
         self.crash_recovery = CrashRecovery(self.sessions, self.journals, self.dialog, self.background, self.notices)
         self.settings_saver = SettingsSaver(
@@ -180,7 +180,7 @@ class Parts:
             "More": [
                 TimerSection(self.timer, sessions, self.settings, commands.time),
                 GlassSection(sessions, self.planner, self.notices),
-                RecordingSection(sessions, self.recorder, self.files, commands.time),
+                RecordingSection(sessions, self.recorder, self.files, self.settings, commands.time),
             ],
             "Measure": [
                 ShowSection(sessions, self.forecasting, self.plots, self.stats_card, commands.view),

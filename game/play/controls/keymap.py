@@ -117,8 +117,8 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("Ctrl+O", (pygame.K_o,), "files.open_scenes", "open a saved scene", CTRL),
         Key("F12", (pygame.K_F12,), "files.shoot_window", "picture of the window"),
         Key("Shift+F12", (pygame.K_F12,), "files.shoot_sand", "picture of the sand", SHIFT),
-        Key("G", (pygame.K_g,), "files.record", "record a GIF, until G again"),
-        Key("Shift+G", (pygame.K_g,), "files.record_past", "GIF of the last ten seconds", SHIFT),
+        Key("G", (pygame.K_g,), "files.record", "record, until G again"),
+        Key("Shift+G", (pygame.K_g,), "files.record_past", "record the last ten seconds", SHIFT),
     ),
     "Window": (
         Key("Tab, arrows", (), "", "use the panel"),

@@ -1,46 +1,50 @@
-"""The recorder: takes pictures of the window and the sand, and GIFs of what follows or of the last seconds."""
+"""The recorder: takes pictures of the window and the sand, and films of what follows or of the last seconds."""
 
 import io
-import itertools
 import queue
 from functools import partial
 
 import numpy as np
 import pygame
 
-from game.play.storage.gif_writer import GifWriter
+from game.play.storage.films.film import Film, rgb
+from game.play.storage.films.film_file import FilmFile
+from game.play.storage.films.formats import encoder_of
 from game.world.files.paths import new_name, save_new
 from game.world.looks import painter as picture
-from game.world.looks.themes import NIGHT, SAND, palette, substances_of
+from game.world.looks.themes import SAND, substances_of
 from game.world.looks.view import View
 from game.world.sessions.moment import Lookahead, Moment
 from game.world.sessions.snapshots import nearest
 
-FRAME_MS = 40  # of a GIF: 25 frames per second
+FRAME_MS = 40  # of a film: 25 frames per second
 PAST_S = 10
 LONGEST_S = 120  # of a recording
-LARGEST_GIF = 960, 720  # pixels: a larger lattice is shown at every so many cells
 LARGEST_PICTURE = 4096  # pixels a side of a picture of the sand whose cells are larger than a pixel
 BAND = 2**20  # pixels of a picture of the sand drawn at a time: drawing takes over twenty bytes for each
-MOST_WAITING = 50  # frames that the writer may be behind; further ones are dropped
+MOST_WAITING = 500  # frames that the writer may be behind, or the recording ends: they are kept in memory
 
 
 class Recorder:
     """Takes pictures and records; all writing is done beside the frames."""
 
-    def __init__(self, sessions, display, background, notices):
-        self._sessions, self._display = sessions, display
+    def __init__(self, sessions, display, settings, background, notices):
+        self._sessions, self._display, self._settings = sessions, display, settings
         self._background, self._notices = background, notices
         self._film = self._frames = None  # while recording: the Film, and the queue to its writer
         self._since_s = self._last_s = None
         self._share = None  # of the last seconds that has been written, while that goes on
+        self._sizes = {}  # {what is being written: its bytes so far}
 
     @property
     def said(self):
         """What the status line says of a recording, or ""."""
+        size = sum(list(self._sizes.values()))
         if self.going_on and self._since_s is not None:
-            return f"Recording {self._last_s - self._since_s:.0f} s    G stops it"
-        return "" if self._share is None else f"Writing the last {PAST_S} seconds: {100 * self._share:.0f} %"
+            return f"Recording {self._last_s - self._since_s:.0f} s    {spelled(size)}    G stops it"
+        if self._share is not None:
+            return f"Writing the last {PAST_S} seconds: {100 * self._share:.0f} %    {spelled(size)}"
+        return f"Writing the recording    {spelled(size)}" if self._sizes else ""
 
     @property
     def going_on(self):
@@ -81,7 +85,7 @@ class Recorder:
         self._film = Film(session.world.shape, session.scene.cell, *self._looks())
         self._frames = frames = queue.SimpleQueue()  # unbounded, so that putting never waits
         self._since_s = self._last_s = None
-        work = partial(_write, session.scene.name, self._film, iter(frames.get, None))
+        work = partial(self._write, session.scene.name, self._film, iter(frames.get, None))
         self._background.do(work, self._say_where, partial(self._give_up, frames), writes=True)
 
     def stop(self):
@@ -101,7 +105,10 @@ class Recorder:
         world = self._sessions.now.world
         if world.shape != self._film.shape or now_s - self._since_s > LONGEST_S:
             self.stop()
-        elif self._frames.qsize() < MOST_WAITING:
+        elif self._frames.qsize() >= MOST_WAITING:
+            self.stop()
+            self._notices.say("The recording ends: the disk is too slow for it.", trouble=True)
+        else:
             self._frames.put((self._film.frame(world), passed_ms))
             self._last_s = now_s
 
@@ -118,7 +125,7 @@ class Recorder:
         self._share = 0.0
         again = _again(session.timeline, ats)
         frames = self._counted(film, again, len(ats))
-        work = partial(_write, session.scene.name, film, frames, self._forget_share)
+        work = partial(self._write, session.scene.name, film, frames, self._forget_share)
         self._background.do(work, self._say_where, writes=True)
 
     def _counted(self, film, worlds, count):
@@ -140,30 +147,28 @@ class Recorder:
         if self._frames is frames:
             self._frames = None
 
-    def _say_where(self, path):
-        self._notices.say(f"Recorded as {path}")
+    def _write(self, name, film, frames, at_the_end=None):
+        """Write frames (pixels, milliseconds) of a film to a new file; return its path and size in words."""
+        encoder = encoder_of(self._settings["recording"])(film.colours, film.zoom)
+        file = None
+        try:
+            file = FilmFile(new_name("pictures", name, encoder.suffix), encoder)
+            for pixels, ms in frames:
+                file.add(pixels, ms)
+                self._sizes[file] = file.size
+            path = file.close()
+            return f"{path} ({spelled(path.stat().st_size)})"
+        except Exception:
+            if file:
+                file.drop()
+            raise
+        finally:
+            self._sizes.pop(file, None)
+            if at_the_end:
+                at_the_end()
 
-
-class Film:
-    """Turns worlds of one shape into frames: (h, w) uint8 indices into a palette of the sand's few colours."""
-
-    def __init__(self, shape, cell, colours=NIGHT, walls="stone", substances=SAND):
-        height, width = self.shape = shape
-        scale = min(cell, LARGEST_GIF[0] / width, LARGEST_GIF[1] / height)
-        scale = int(scale) if scale >= 1 else scale
-        size = max(1, round(height * scale)), max(1, round(width * scale))
-        self.colours = _rgb(
-            palette(colours, walls, substances=substances).reshape(1, -1)
-        ).tobytes()  # the palette of a GIF
-        places = itertools.count()
-        view = View(shape, 0, 0, *size[::-1])
-        self._painter = picture.Painter(view, colours, walls, lambda *_: next(places), False, substances)
-        self._pixels = np.zeros(size, np.uint32)
-
-    def frame(self, world):
-        """Return the frame that shows `world`."""
-        self._painter.draw(world, self._pixels)
-        return self._pixels.astype(np.uint8)
+    def _say_where(self, path_and_size):
+        self._notices.say(f"Recorded as {path_and_size}")
 
 
 def image_of(surface):
@@ -187,24 +192,8 @@ def image_of_sand(world, scale, colours, walls, substances=SAND, streams=None):
         pixels = np.empty((min(max(1, BAND // width), height - top), width), np.uint32)
         painter.look_through(View(world.shape, 0, -top, width, height, (0, 0, width, len(pixels))))
         painter.draw(world, pixels, streams=streams)
-        image.paste(Image.fromarray(_rgb(pixels)), (0, top))
+        image.paste(Image.fromarray(rgb(pixels)), (0, top))
     return image
-
-
-def _write(name, film, frames, at_the_end=None):
-    """Write frames (pixels, milliseconds) of a film to a new GIF and return its path."""
-    try:
-        gif = GifWriter(new_name("pictures", name, ".gif"), film.colours)
-        try:
-            for pixels, ms in frames:
-                gif.add(pixels, ms)
-        except Exception:
-            gif.drop()
-            raise
-        return gif.close()
-    finally:
-        if at_the_end:
-            at_the_end()
 
 
 def _again(timeline, ats):
@@ -222,6 +211,6 @@ def _again(timeline, ats):
     return worlds()
 
 
-def _rgb(pixels):
-    """Return 0xRRGGBB values as (..., 3) uint8."""
-    return np.stack([pixels >> 16 & 255, pixels >> 8 & 255, pixels & 255], axis=-1).astype(np.uint8)
+def spelled(size):
+    """Return a number of bytes as people say it."""
+    return f"{size / 1e6:.1f} MB" if size >= 1e5 else f"{size / 1e3:.0f} kB"

@@ -5,10 +5,12 @@
 
 import argparse
 import sys
+from pathlib import Path
 
 import numpy as np
 
-from game.play.storage.gif_writer import GifWriter
+from game.play.storage.films.film_file import FilmFile
+from game.play.storage.films.gif import GifEncoder
 from game.play.view.turn_animation import TURN_S, TurnAnimation
 from game.world.files.atomic import FileError
 from game.world.looks.motion_samples import MotionSamples
@@ -83,7 +85,7 @@ def make(path):
     film = list(frames())
     colours = np.unique(np.concatenate([np.unique(pixels) for pixels, _ in film]))
     palette = np.stack([colours >> 16 & 255, colours >> 8 & 255, colours & 255], axis=-1).astype(np.uint8)
-    gif = GifWriter(lambda number: path, palette.tobytes())
+    gif = FilmFile(lambda number: path, GifEncoder(palette.tobytes()))
     for pixels, ms in film:
         gif.add(np.searchsorted(colours, pixels).astype(np.uint8), ms)
     gif.close(replace=True)
@@ -93,7 +95,7 @@ def make(path):
 def main():
     """Make the portrait that the command line asks for."""
     parser = argparse.ArgumentParser(prog="python -m game.play.trials.readme_gif", description=__doc__.splitlines()[0])
-    parser.add_argument("out", metavar="OUT.gif")
+    parser.add_argument("out", type=Path, metavar="OUT.gif")
     try:
         print("{} frames in {} colours".format(*make(parser.parse_args().out)))
     except FileError as error:

@@ -25,6 +25,7 @@ ROWS = (
     Switch("smooth_streams", True, "draw falling sand as the mean of what happens within a frame"),
     Switch("reduced_motion", False, "leave out turns, glows and fades"),
     Switch("sound", False, "the hiss of flowing sand"),
+    Choice("recording", "gif", ("gif", "webp", "mp4"), "format of recordings; mp4 needs ffmpeg"),
     Switch("chime", True, "a bell when the timer ends"),
     Knob("volume", 0.5, 0.0, 1.0, "", "how loud the sand is", ends=("soft", "loud")),
     Names("hints_seen", "hints that were shown, and are not shown again"),

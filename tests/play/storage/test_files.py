@@ -1,5 +1,6 @@
 """Files in and out of the window: saved scenes, dropped files, journals, pictures and recordings."""
 
+import re
 import sys
 import threading
 import time
@@ -17,7 +18,9 @@ from game.play.app import App
 from game.play.pages import saved_scenes
 from game.play.storage import open_sessions, recorder
 from game.play.storage.files import demos
-from game.play.storage.gif_writer import GifWriter
+from game.play.storage.films.film import Film
+from game.play.storage.films.film_file import FilmFile, enlarged
+from game.play.storage.films.gif import GifEncoder
 from game.play.storage.open_sessions import MOST_WAITING
 from game.play.window.window import Window
 from game.world.files.paths import asset, folder_of, numbered
@@ -656,8 +659,8 @@ def test_the_last_frame_of_the_past_recorded_is_the_sand_now(glass):
     glass.key(pygame.K_g, mod=SHIFT)
     glass.settle()
     scene = glass.session.scene
-    film = recorder.Film(scene.shape, scene.cell, glass.parts.display.colours, scene.made_of)
-    wanted = np.frombuffer(film.colours, np.uint8).reshape(-1, 3)[film.frame(glass.world)]
+    film = Film(scene.shape, scene.cell, glass.parts.display.colours, scene.made_of)
+    wanted = np.frombuffer(film.colours, np.uint8).reshape(-1, 3)[enlarged(film.frame(glass.world), film.zoom)]
     with Image.open(the_file("pictures")) as image:
         assert image.n_frames > 20
         image.seek(image.n_frames - 1)
@@ -666,7 +669,7 @@ def test_the_last_frame_of_the_past_recorded_is_the_sand_now(glass):
 
 def test_no_frame_waits_for_the_writer(glass, monkeypatch):
     free, written = threading.Event(), []
-    monkeypatch.setattr(recorder.GifWriter, "add", lambda self, pixels, ms: written.append(free.wait(60)))
+    monkeypatch.setattr(recorder.FilmFile, "add", lambda self, pixels, ms: written.append(free.wait(60)))
     glass.key(pygame.K_g)
     for _ in range(40):
         glass.frame(elapsed_ns=40_000_000)
@@ -677,11 +680,40 @@ def test_no_frame_waits_for_the_writer(glass, monkeypatch):
     assert len(written) > 30 and all(written)
 
 
+def test_a_recording_says_how_large_it_is(glass):
+    glass.key(pygame.K_g)
+    glass.wait(30)
+    glass.parts.recorder.toggle()
+    glass.settle()
+    path = the_file("pictures")
+    assert recorder.spelled(path.stat().st_size) in glass.parts.notices.text
+    glass.key(pygame.K_g)
+    sizes = []
+    for _ in range(60):
+        glass.wait(3)
+        pygame.time.wait(1)
+        sizes += [int(size) for size in re.findall(r"(\d+) kB", glass.parts.recorder.said)]
+    assert sizes == sorted(sizes) and sizes[-1] > sizes[0]
+
+
+def test_a_recording_that_the_disk_cannot_follow_ends_with_all_its_frames(glass, monkeypatch):
+    free, written = threading.Event(), []
+    monkeypatch.setattr(recorder, "MOST_WAITING", 20)
+    monkeypatch.setattr(recorder.FilmFile, "add", lambda self, pixels, ms: written.append(free.wait(60)))
+    glass.key(pygame.K_g)
+    for _ in range(40):
+        glass.frame(elapsed_ns=40_000_000)
+    assert not glass.parts.recorder.going_on and "too slow" in glass.parts.notices.text
+    free.set()
+    glass.settle()
+    assert len(written) == 21
+
+
 def test_a_recording_that_cannot_be_written_costs_a_line_and_keeps_no_window_open(glass, own_folder):
     own_folder.write_text("a file where the folder should be")
     glass.key(pygame.K_g)
     glass.settle()
-    glass.wait(recorder.MOST_WAITING * 3)
+    glass.wait(150)
     assert "cannot make the folder" in glass.parts.notices.text and not glass.parts.recorder.said
     closing = threading.Thread(target=glass.parts.close, daemon=True)
     closing.start()
@@ -699,7 +731,7 @@ def test_a_recording_ends_by_itself(glass, monkeypatch):
 
 
 def test_a_film_lasts_as_long_as_its_frames_however_short_they_are(tmp_path):
-    film = GifWriter(numbered(tmp_path / "film.gif"), bytes(768))
+    film = FilmFile(numbered(tmp_path / "film.gif"), GifEncoder(bytes(768)))
     for number in range(60):
         film.add(np.full((4, 4), number, np.uint8), 1000 / 60)
     with Image.open(film.close()) as image:

@@ -10,7 +10,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from game.play.storage.gif_writer import GifWriter
+from game.play.storage.films.film_file import FilmFile
+from game.play.storage.films.gif import GifEncoder
 from game.world.files import atomic
 from game.world.files.atomic import FileError, clear_parts, save
 from game.world.files.paths import numbered, save_new
@@ -107,7 +108,7 @@ def test_what_a_killed_process_was_writing_is_cleared_and_what_is_being_written_
 
 def test_a_file_whose_end_finds_no_room_leaves_nothing_and_is_named(tmp_path, monkeypatch):
     with pytest.raises(FileError, match=r"film.gif: cannot write the recording: no space left on device"):
-        film = GifWriter(numbered(tmp_path / "film.gif"), bytes(768))
+        film = FilmFile(numbered(tmp_path / "film.gif"), GifEncoder(bytes(768)))
         film._part.file = open("/dev/full", "wb")  # noqa: SIM115 - the film closes it
         film.add(np.zeros((4, 4), np.uint8), 40)
         film.close()
@@ -116,7 +117,7 @@ def test_a_file_whose_end_finds_no_room_leaves_nothing_and_is_named(tmp_path, mo
 
 def test_every_file_obeys_the_umask(tmp_path, monkeypatch):
     monkeypatch.setattr(atomic, "UMASK", 0o077)
-    film = GifWriter(numbered(tmp_path / "film.gif"), bytes(768))
+    film = FilmFile(numbered(tmp_path / "film.gif"), GifEncoder(bytes(768)))
     film.add(np.zeros((4, 4), np.uint8), 40)
     for path in (film.close(), save_new("scenes", "x", ".png", b"")):
         assert path.stat().st_mode & 0o777 == 0o600

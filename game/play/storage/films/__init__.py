@@ -1,0 +1,1 @@
+"""Films: worlds as frames, and files of frames in several formats."""
