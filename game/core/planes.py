@@ -153,10 +153,10 @@ def has_colours(planes, where):
 
 def count(planes, where, contents):
     """Return how many cells have each content, code + 2**bits · colour, as a tuple of ints."""
-    counts = np.zeros(len(contents), np.int64)
-    _count(planes, where.rows, where.words, len(planes) // 4, np.array(contents, np.int64), counts)
+    counts = np.zeros(2 ** (len(planes) // 4), np.int64)
+    _count(planes, where.rows, where.words, len(planes) // 4, counts)
     around = 4 * BITS * where.words * where.rows - where.height * where.width  # cells outside, in the same words
-    return tuple(int(n) - around * (content == where.outside) for n, content in zip(counts, contents, strict=True))
+    return tuple(int(counts[each]) - around * (each == where.outside) for each in contents)
 
 
 def with_colours(planes, where):
@@ -209,22 +209,19 @@ def _ones(word):
     return (((word + (word >> np.uint64(4))) & _BYTES) * _EACH_BYTE) >> np.uint64(56)
 
 
-@gate
-def _select(word, is_set):
-    """Return a word, or its opposite where the bit looked for is 0."""
-    return word if is_set else ~word
-
-
 @kernel
-def _count(planes, rows, words, bits, contents, counts):
-    """Add up the cells of each content in `counts`, int64, in place."""
+def _count(planes, rows, words, bits, counts):
+    """Add up the cells of each content in `counts`, (2**bits,) int64, in place."""
+    same = np.empty(len(counts), np.uint64)  # where the cells of a word have each content, by the bits looked at so far
     for plane in range(4):
         for start in range(0, rows * (words + 1), words + 1):
-            for number in range(len(contents)):
-                found = np.uint64(0)
-                for i in range(start, start + words):
-                    same = _FULL
-                    for bit in range(bits):
-                        same &= _select(planes[4 * bit + plane, i], (contents[number] >> bit) & 1)
-                    found += _ones(same)
-                counts[number] += np.int64(found)
+            for i in range(start, start + words):
+                same[0] = _FULL
+                for bit in range(bits):
+                    word = planes[4 * bit + plane, i]
+                    for content in range(1 << bit):
+                        same[content + (1 << bit)] = same[content] & word
+                        same[content] &= ~word
+                for content in range(len(counts)):
+                    if same[content]:
+                        counts[content] += np.int64(_ones(same[content]))

@@ -52,17 +52,21 @@ def spread_light(counts, reach, gain, across, tiles):
     light of a tile amid nothing but what glows, before it is cut off. across: (h, w) float32, room.
     """
     height, width = tiles.shape
+    some = np.zeros(height, np.bool_)
     for row in range(height):
-        for column in range(width):
+        across[row] = np.float32(0)
+        some[row] = counts[row].any()
+        for column in range(width if some[row] else 0):
             total = 0
             for other in range(max(column - reach + 1, 0), min(column + reach, width)):
                 total += (reach - abs(column - other)) * counts[row, other]
             across[row, column] = np.float32(total)
     scale = np.float32(gain / (FULL * reach**4))
     for row in range(height):
-        for column in range(width):
-            tiles[row, column] = np.float32(0)
+        tiles[row] = np.float32(0)
         for other in range(max(row - reach + 1, 0), min(row + reach, height)):
+            if not some[other]:
+                continue
             weight = np.float32(reach - abs(row - other)) * scale
             for column in range(width):
                 tiles[row, column] += weight * across[other, column]
@@ -121,6 +125,24 @@ def lay_light(tiles, lights, lit, columns, rows, pixels, top, left):
         pixel_row = pixels[top + i]
         for j in range(start, end):
             pixel_row[left + j] = _lit(pixel_row[left + j], shown[j])
+
+
+@kernel
+def find_lit(tiles, columns, lit):
+    """Write to `lit` what `lay_light` needs of which tiles have light, or one beside them: it goes half a tile further.
+
+    columns: int32, the lattice column of each pixel column.
+    """
+    height, width = tiles.shape
+    for row in range(height):
+        first, last = width, 0
+        for near in range(max(row - 1, 0), min(row + 2, height)):
+            for column in range(width):
+                if tiles[near, column] > 0:
+                    first, last = min(first, max(column - 1, 0)), max(last, min(column + 2, width))
+        first = min(first, last)
+        lit[row, 0], lit[row, 1] = first, last
+        lit[row, 2], lit[row, 3] = np.searchsorted(columns, first * TILE), np.searchsorted(columns, last * TILE)
 
 
 def tiles_of(height, width):

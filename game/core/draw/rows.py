@@ -5,6 +5,8 @@ codes of the even columns, then of the odd ones; the two bits of decor and those
 left of the even columns and at the right of the odd ones.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from game.core.draw.looks import Around
@@ -43,25 +45,30 @@ class RowStreams:
 
     def places(self, planes, where, decor):
         """Return the address of each stream in the planes for the rows 0 and 1, (2, moving) int64."""
-        step, depth = where.stride, self.depths[1]
-        found = []
-        for odd in range(2):
-            rows = (odd, 0), (1 - odd, odd - 1), (odd, -1), (1 - odd, odd)
-            found.append(
-                [
-                    _address(planes, 4 * bit + 2 * row + parity, further * step)
-                    for row, further in rows
-                    for parity in range(2)
-                    for bit in range(self.bits)
-                ]
-                + [_address(decor, 4 * bit + 2 * odd + parity) for parity in range(2) for bit in range(self.depths[0])]
-                + [
-                    _address(planes, 4 * (self.bits + bit) + 2 * odd + parity)
-                    for parity in range(2)
-                    for bit in range(depth)
-                ]
-            )
-        return np.array(found, np.int64)
+        offsets, of_decor = _offsets(self.bits, self.depths, where.stride, planes.shape[1], decor.shape[1])
+        return np.where(of_decor, decor.ctypes.data, planes.ctypes.data) + offsets
+
+
+@lru_cache(maxsize=64)
+def _offsets(bits, depths, stride, length, decor_length):
+    """Return how far in bytes each stream of the rows 0 and 1 is from the start of its planes, and if those are decor.
+
+    Both are (2, moving). length, decor_length: words in a plane.
+    """
+    found = []
+    for odd in range(2):
+        rows = (odd, 0), (1 - odd, odd - 1), (odd, -1), (1 - odd, odd)
+        codes = [
+            (4 * bit + 2 * row + parity) * length + further * stride
+            for row, further in rows
+            for parity in range(2)
+            for bit in range(bits)
+        ]
+        decor = [(4 * bit + 2 * odd + parity) * decor_length for parity in range(2) for bit in range(depths[0])]
+        colours = [(4 * (bits + bit) + 2 * odd + parity) * length for parity in range(2) for bit in range(depths[1])]
+        found.append([*codes, *decor, *colours])
+    of_decor = [False] * len(codes) + [True] * len(decor) + [False] * len(colours)
+    return _WORD * np.array(found, np.int64), np.array([of_decor] * 2)
 
 
 def room_for(words, number):
@@ -72,10 +79,6 @@ def room_for(words, number):
 def addresses(streams):
     """Return the address of each row of an array: int64."""
     return streams.ctypes.data + np.arange(len(streams), dtype=np.int64) * streams.strides[0]
-
-
-def _address(planes, plane, word=0):
-    return planes.ctypes.data + _WORD * (plane * planes.shape[1] + word)
 
 
 @gate

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from game.core.draw.firelight import LEVELS, TILE, count_glowing, lay_light, padded, spread_light, tiles_of
+from game.core.draw.firelight import LEVELS, TILE, count_glowing, find_lit, lay_light, padded, spread_light, tiles_of
 from game.core.planes import planes_where
 
 REACH = 5  # tiles from one that glows to the first that it does not light
@@ -49,19 +49,9 @@ class Firelight:
 
     def _where_lit(self):
         """Return the first and the last + 1 tile with light in each row of tiles, and of their pixel columns."""
-        near = self._tiles > 0
-        for axis in (0, 1):  # light goes half a tile further
-            near = near | _shifted(near, 1, axis) | _shifted(near, -1, axis)
-        first = np.where(near.any(axis=1), near.argmax(axis=1), 0)
-        last = np.where(near.any(axis=1), near.shape[1] - near[:, ::-1].argmax(axis=1), 0)
-        return np.stack([first, last, *np.searchsorted(self._columns, np.stack([first, last]) * TILE)], axis=1)
-
-
-def _shifted(flags, by, axis):
-    """Return flags moved by one along an axis, False where nothing comes."""
-    moved = np.roll(flags, by, axis)
-    np.moveaxis(moved, axis, 0)[0 if by > 0 else -1] = False
-    return moved
+        lit = np.empty((len(self._tiles), 4), np.int64)
+        find_lit(self._tiles, self._columns, lit)
+        return lit
 
 
 def _lights(brightest, map_rgb):

@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from game.core.pile_heights import stack_heights
-from game.core.planes import BITS, count_set
+from game.core.planes import BITS, count_set, planes_where
 from game.world.sand.advance import advance
 
 FLANK = 0.2, 0.8  # parts of a pile's height between which its slope is taken: foot and tip are rounded
@@ -65,8 +65,11 @@ class MotionMeter:
         """
         where = world.layout
         step = -(-where.rows // MOST_ROWS)
-        sand = world.filled_planes[:, : where.rows * where.stride].reshape(4, where.rows, where.stride)
-        rows = np.ascontiguousarray(sand[:, ::step, : where.words])
+        planes = world.planes[: 4 * where.bits, : where.rows * where.stride].reshape(-1, where.rows, where.stride)
+        sampled = np.ascontiguousarray(planes[:, ::step, : where.words])
+        layout = where._replace(length=sampled[0].size)
+        rows = planes_where(sampled.reshape(len(sampled), -1), layout, world.codes.filled)
+        rows = rows.reshape(4, *sampled.shape[1:])
         before, self._rows = self._rows, rows
         known, self._layout = self._layout == where, where
         if not known:
