@@ -147,7 +147,7 @@ class App:
 
     def _note(self, work_ns, own_work_ns, now_s):
         """Note what the frame took."""
-        self.parts.frame_step.note(work_ns)
+        self.parts.frame_step.note(work_ns, own_work_ns)
         session = self.parts.sessions.now
         frame = FrameTime(work_ns, own_work_ns, self.parts.frame_step.moving_ns, session.due, session.done)
         self.parts.frame_stats.count(frame, session, now_s)

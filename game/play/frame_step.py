@@ -8,6 +8,10 @@ from game.world.looks.motion_samples import MotionSamples
 from game.world.looks.themes import substances_of
 from game.world.sessions.session import BUDGET_NS, SEEK_NS
 
+AIM_NS = BUDGET_NS - 1_500_000  # the rest is for what takes longer than foreseen
+REMEMBERED = (
+    0.97  # how much of what a frame took beside the sand is foreseen for the next: some work comes now and then
+)
 LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
 LONG_WAY_S = 0.3  # a way to another moment that takes longer is shown
 
@@ -20,7 +24,8 @@ class FrameStep:
         self._sessions, self._display, self._settings = sessions, display, settings
         self._time_bar, self._rewind, self._pacers = time_bar, rewind, pacers
         self.moving_ns = 0  # the work of this thread that moved sand in this frame
-        self._own_ns = self._other_ns = 0  # what stepping took in this frame, and anything else in the last one
+        self._remembered_ns = 0  # the most of this thread's other work lately
+        self._own_ns = self._other_ns = 0  # what stepping took in this frame, and anything else lately
         self._streams = MotionSamples()
         self._way_since_s = None  # since when another moment is being computed
 
@@ -40,9 +45,11 @@ class FrameStep:
             self._way_since_s = now_s
         self._own_ns, self.moving_ns = time.perf_counter_ns() - start, own_ns() - worked
 
-    def note(self, work_ns):
-        """Take in what the whole frame took."""
-        self._other_ns = work_ns - self._own_ns
+    def note(self, work_ns, own_work_ns):
+        """Take in what the whole frame took, by the wall and of this thread's own work."""
+        remembered_ns = min(REMEMBERED * self._remembered_ns, AIM_NS)
+        self._remembered_ns = max(own_work_ns - self.moving_ns, remembered_ns)
+        self._other_ns = max(work_ns - self._own_ns, self._remembered_ns)
 
     def passing(self, now_s):
         """Return whether the moment that is computed is one on the way, passed too quickly to be worth a look."""
@@ -65,7 +72,7 @@ class FrameStep:
             view.end_turn()
         drawn = self._settings["smooth_streams"] and not self._display.window.hidden
         session.streams = self._streams_of(session.rule) if drawn else None
-        budget_ns, due = max(BUDGET_NS - self._other_ns, LEAST_STEPPING_NS), self._due()
+        budget_ns, due = max(AIM_NS - self._other_ns, LEAST_STEPPING_NS), self._due()
         frame = partial(session.frame, elapsed_ns, budget_ns, due)
         of_clock = 0 if session.paused else 1 + int(session.clock.speed * elapsed_ns / 1e9)
         if session.timeline.meets(of_clock if due is None else due):

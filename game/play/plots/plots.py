@@ -9,6 +9,7 @@ import pygame
 
 from game.play.plots import charts
 from game.play.plots.audit_card import card, heights, widths
+from game.play.plots.card_strip import CardStrip
 from game.play.plots.comparison_cards import comparison_card, quantities
 from game.play.plots.material_cards import amounts_card, books_card
 from game.play.plots.reactions_card import reactions_card
@@ -41,7 +42,8 @@ class Plots:
         self._set_row = None  # (scene, row): where the player wants to measure in that scene
         self.measurements = None  # since the plots were opened
         self._compared = {}  # {name: Measurements} of worlds side by side
-        self._drawing = self._drawn = None
+        self._strip = CardStrip()
+        self._account = None  # as it was at the last sample
         self._since_s = self._next_s = self._next_watch_s = 0.0
         self._slowest_ns = 0
 
@@ -82,9 +84,8 @@ class Plots:
         now, found = self._sessions.now, self.measurements
         fits = found and (found.session, found.row, found.codes) == (now, self.measured_row, now.world.codes)
         fits = fits and len(found.heights) == now.world.shape[1]
-        if fits:
-            self._watch(now_s)
         if fits and now_s < self._next_s:
+            self._watch(now_s)
             return
         begin = time.perf_counter()
         if not fits:
@@ -93,7 +94,8 @@ class Plots:
         for each in self._compared.values():
             each.follow(now_s - self._since_s, self._slowest_ns / 1e6)
         self._next_s = now_s + min(max(SAMPLE_S, SHARE * (time.perf_counter() - begin)), LONGEST_S)
-        self._slowest_ns, self._drawing = 0, None
+        self._slowest_ns, self._account = 0, self._sessions.now.account
+        self._strip.renew()
 
     def _begin(self):
         """Measure anew from here on."""
@@ -111,7 +113,7 @@ class Plots:
         else:
             compared = self._compared
         alike = len({each.codes for each in compared.values()}) == 1
-        columns = next(iter(compared.values())).columns
+        columns = next(iter(compared.values())).lasting_columns
         columns = columns if alike else COMMON_COLUMNS
         return ("world", *columns), [
             (name, *row[: len(columns)]) for name, each in compared.items() for row in each.rows()
@@ -132,20 +134,14 @@ class Plots:
 
     def forget(self):
         """Draw the cards anew next time."""
-        self._drawn = self._drawing = None
+        self._strip.forget()
 
     def draw(self, surface):
         """Draw the cards if they look different; return the rects that changed."""
         area = self._display.layout.plots
         if not area or not self.measurements or self.measurements.codes != self._sessions.now.rule.codes:
             return []  # a world that became another one since is measured in the next frame
-        if self._drawing is None:
-            self._drawing = self._strokes(area)
-        if self._drawing == self._drawn:
-            return []
-        self._drawn = self._drawing
-        draw_list.draw(surface, self._display.theme, self._drawing)
-        return [area]
+        return self._strip.draw(surface, self._display.theme, area, partial(self._placed, area))
 
     def save(self):
         """Save what was measured so far: its history as one table, the pile's profile as another."""
@@ -165,19 +161,20 @@ class Plots:
 
     # --- the cards ---
 
-    def _strokes(self, area):
-        px = self._display.theme.px
-        cards = self._cards()
-        strokes = [(draw_list.fill, tuple(area), look.SUNKEN)]
+    def _placed(self, area):
+        """Return [(rect, function that returns the strokes of the card there)]."""
+        gap, cards = self._display.theme.px(GAP), self._cards()
         tall = area.height > area.width
         edges = self._edges(area.height if tall else area.width, tall, len(cards))
+        placed = []
         for each, (start, end) in zip(cards, pairwise(edges), strict=True):
             if tall:
                 rect = pygame.Rect(area.x, area.y + start, area.width, end - start)
             else:
                 rect = pygame.Rect(area.x + start, area.y, end - start, area.height)
-            strokes += each(rect.inflate(-px(GAP), -px(GAP)))
-        return strokes
+            rect = rect.inflate(-gap, -gap)
+            placed.append((rect, partial(each, rect)))
+        return placed
 
     def _cards(self):
         """Return the functions that draw the cards: of sand how it flows and lies, of others how much there is."""
@@ -203,15 +200,14 @@ class Plots:
         return reactions_card(self._display.theme, rect, self._nows(), reactions, speed)
 
     def _books(self, rect):
-        session = self._sessions.now
-        books = sorted(session.rule.definition.books, key=lambda book: len(book.but))
-        return books_card(self._display.theme, rect, session.account, session.world.amounts, books)
+        books = sorted(self._sessions.now.rule.definition.books, key=lambda book: len(book.but))
+        return books_card(self._display.theme, rect, self._account, self._amounts_now, books)
 
     def _edges(self, length, tall, count):
         """Return where the cards begin and end along the area; the audit of coloured sand may take more than others."""
         if len(self._compared) > 1:
             return [length * number // count for number in range(count + 1)]
-        account, audit = self._sessions.now.account, length // count
+        account, audit = self._account, length // count
         if account.mixed:
             theme, gap = self._display.theme, self._display.theme.px(GAP)
             most = round(MOST_AUDIT * length)
@@ -284,8 +280,11 @@ class Plots:
             swatches = [theme.colours.swatch(number) for number in range(len(COLOURS))]
         else:
             swatches = swatches_of(theme.colours, materials)
-        amounts = session.world.amounts
-        return card(theme, rect, session.account.met(amounts), amounts, swatches)
+        return card(theme, rect, self._account.met(self._amounts_now), self._amounts_now, swatches)
+
+    @property
+    def _amounts_now(self):
+        return self.measurements.samples[-1].amounts
 
     def _nows(self):
         return [each.now for each in self.measurements.samples]

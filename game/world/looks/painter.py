@@ -178,9 +178,10 @@ class Painter:
         changed = world.activity.changed > self._seen
         if len(self._moving) and world.iteration != self._drawn_at:
             changed |= self._moving  # they were drawn as means of what was still to change
-        for band in np.nonzero(changed)[0]:
+        edges = np.flatnonzero(np.diff(np.pad(changed, 1).astype(np.int8)))
+        for first, last in edges.reshape(-1, 2) * band_height:  # of bands in a row
             # a band's blocks reach a row further down, and looks tell of the two rows above
-            yield self._pixels_of(band * band_height, (band + 1) * band_height + 3)
+            yield self._pixels_of(first, last + 3)
 
     def _pixels_of(self, first, last):
         """Return the span of pixel rows in sight that show any of the lattice rows from `first` to before `last`."""

@@ -67,7 +67,8 @@ class Measurements:
         above, self.heights = grains_above(world, self.row), pile_heights(world, self.row)
         height, slope = int(self.heights.max()), slope_degrees(self.heights)
         act = session.timeline.history.latest(session.now)
-        now, amounts, below = world.iteration, world.amounts, world.grains - above
+        now, amounts = world.iteration, world.amounts
+        below = sum(amounts) - above
         here = now, seconds, above, below, height, slope, frame_ms, act, amounts
         self.samples.append(Measurement(*here, self._reactions(now)))
         if len(self.samples) > MOST:
@@ -106,10 +107,14 @@ class Measurements:
     @property
     def columns(self):
         """What the numbers of a row are."""
+        return *self.lasting_columns, *(f"{name.replace(' ', '_')}_per_iteration" for name in self.reactions())
+
+    @property
+    def lasting_columns(self):
+        """The first columns, without those of what has reacted so far."""
         if self.codes.is_sand:
             return *COMMON_COLUMNS, *(f"{colour}_grains" for colour in COLOURS)
-        cells = (f"{name.replace(' ', '_')}_cells" for name in self.codes.names)
-        return *COMMON_COLUMNS, *cells, *(f"{name.replace(' ', '_')}_per_iteration" for name in self.reactions())
+        return *COMMON_COLUMNS, *(f"{name.replace(' ', '_')}_cells" for name in self.codes.names)
 
     def rows(self):
         """Return the story as rows of numbers, as `columns` names them."""
