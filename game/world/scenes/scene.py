@@ -119,7 +119,7 @@ def _shared(cells):
     if not cells.flags.c_contiguous:
         return cells
     same = _known.setdefault((cells.shape, cells.dtype.str, crc32(cells)), cells)
-    return same if np.array_equal(same, cells) else cells
+    return same if same is cells or np.array_equal(same, cells) else cells
 
 
 def load_scene(name_or_path, size=None):
@@ -225,7 +225,7 @@ def _painted(table, scale):
             if work > MOST_WORK:
                 raise each.error("kind", "more to paint", f"shapes that come over {MOST_WORK:,} cells at most in all")
             shapes.append(shape)
-    cells = np.full((scale.height, scale.width), EMPTY, np.uint8)
+    cells = np.zeros((scale.height, scale.width), np.uint8)  # all EMPTY, and memory that is taken as it is painted
     for shape in shapes:
         paint(cells, shape, scale)
     return cells, shapes
