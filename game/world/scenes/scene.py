@@ -21,7 +21,6 @@ from game.world.sand.material_codes import SAND
 from game.world.sand.sand_colours import AMBER
 from game.world.sand.world import World, check_codes
 from game.world.scenes.cell_arrays import (
-    EMPTY,
     painted_cells,
     palette_of,
     parted,
