@@ -11,7 +11,7 @@ from game.core.compiler.plan import Plan, kinds_of, plan, threshold_of
 from game.core.compiler.vector_ir import NAME, chances_of, source
 from game.core.rule_table import corners
 
-KEPT = 32  # passes in memory; each is some ten kilobytes
+KEPT = 128  # passes in memory; each is some ten kilobytes
 
 
 class Pass(NamedTuple):

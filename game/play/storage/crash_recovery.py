@@ -6,6 +6,7 @@ from functools import partial
 import pygame
 
 from game.play.view.dialog import Answer
+from game.world.background.rule_warmup import make_recording_ready
 from game.world.sessions import journal
 from game.world.sessions.journal import Journal
 from game.world.sessions.session import SEEK_NS, Session
@@ -37,7 +38,7 @@ class CrashRecovery:
         self._question.ask("Resume your last session?", text, answers)
 
     def _resume(self, path):
-        self._background.do(partial(Journal.resume, path), self._take)
+        self._background.do(partial(_resumed, path), self._take)
 
     def _take(self, found):
         height, width = found[1].scene.shape
@@ -53,6 +54,13 @@ class CrashRecovery:
 
     def _discard(self, path):
         self._background.do(partial(journal.finish, path), writes=True)
+
+
+def _resumed(path):
+    """Return the Journal to go on with and its Recording, once all rules in it are compiled."""
+    kept, recording = Journal.resume(path)
+    make_recording_ready(recording)
+    return kept, recording
 
 
 def _left_over():

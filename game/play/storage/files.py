@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
 
-from game.world.background.rule_warmup import make_ready
+from game.world.background.rule_warmup import make_ready, make_recording_ready
 from game.world.files.checked_table import as_line
 from game.world.files.paths import asset, save_new
 from game.world.rules.rule_text import is_rule
@@ -105,6 +105,8 @@ def read(path):
     scene = found.scene if isinstance(found, SeededScene) else found
     if isinstance(scene, Scene):
         _made_ready(lambda: scene)
+    elif isinstance(found, Recording):
+        make_recording_ready(found)
     return found, as_line(path.stem)
 
 

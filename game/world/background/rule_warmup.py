@@ -4,6 +4,7 @@ import sys
 
 from game.core.compiler.plan import kinds_of
 from game.world.background.kernel_warmup import steps
+from game.world.sessions.action import Load, SetRule
 
 MOST = 16  # rules that are known to be ready; the passes in memory are some more
 USUAL_S = sys.getswitchinterval()  # for which a thread keeps the interpreter while another waits for it
@@ -44,3 +45,14 @@ def make_ready(rule, walls, cell, coloured, fixtures):
             act()
     finally:
         sys.setswitchinterval(USUAL_S)
+
+
+def make_recording_ready(recording):
+    """Compile all rules that a Recording comes by, as `make_ready` does."""
+    scenes = [recording.scene, *(each.what.scene for each in recording.entries if isinstance(each.what, Load))]
+    rules = [each.rule for each in scenes] + [
+        each.what.rule for each in recording.entries if isinstance(each.what, SetRule)
+    ]
+    for rule in {_kinds(each): each for each in rules}.values():
+        if not rule.codes.is_sand:
+            make_ready(rule, recording.scene.made_of, recording.scene.cell, False, recording.scene.fixtures)

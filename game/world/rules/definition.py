@@ -23,6 +23,7 @@ MOST_CHANCES = 48
 MOST_BOOKS = 16
 MOST_LAYERS = 4
 MOST_INCLUDES = 4
+TABLES_KEPT = 128  # of rules that were played or read, so that what leads back to one need not compile it anew
 LAYERS = ("motion",)  # of a file that names none
 
 _KEYS = ("title", "notice", "schedule", "layers", "include", "materials", "any", "chances", "conserve", "event")
@@ -98,8 +99,8 @@ class Definition:
 
     @cached_property
     def table(self):
-        """What every block state does: a RuleTable."""
-        return compiled(self)
+        """What every block state does: a RuleTable, one for all definitions that are equal."""
+        return _table(self)
 
     @cached_property
     def slots(self):
@@ -215,6 +216,11 @@ def _known_or_made(name, texts, paths):
         check(definition)
         _known[key] = definition
     return definition
+
+
+@lru_cache(maxsize=TABLES_KEPT)
+def _table(definition):
+    return compiled(definition)
 
 
 @lru_cache(maxsize=32)
