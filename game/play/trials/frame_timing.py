@@ -15,6 +15,7 @@ import pygame
 from game.play import loop
 from game.play.app import App
 from game.play.ui.theme import Theme
+from game.play.view.frame_stats import own_ns
 from game.play.window import layout
 from game.play.window.window import Window
 from game.process import leave_threads
@@ -44,7 +45,9 @@ STAGES = {  # what each stage is made of; the rest of a frame is "other"
 SHOWN = {
     "forecast": "view.toggle_forecast",
     "plots": "view.toggle_plots",
-    "schedules": "sand.compare",
+    "compare": "sand.compare",
+    "differences": "view.toggle_differences",
+    "density": "view.toggle_density",
 }
 
 
@@ -108,12 +111,13 @@ def _timed(act, stage, spent):
 
 def _play_frame(app, spent, now_s):
     """Play one frame of a sixtieth of a second, as the loop does."""
-    start = time.perf_counter_ns()
+    start, worked = time.perf_counter_ns(), own_ns()
     events = pygame.event.get()
     spent["events"] = time.perf_counter_ns() - start
     app.frame(events, FRAME_NS, now_s)
     spent["frame"] = time.perf_counter_ns() - start
     spent["other"] = 2 * spent["frame"] - sum(spent.values())
+    spent["own"] = own_ns() - worked
 
 
 def _report(app, scene, played, iterations):
@@ -121,8 +125,9 @@ def _report(app, scene, played, iterations):
     world = app.parts.sessions.now.world
     twin = scene.world(world.seed)
     advance(twin, app.parts.sessions.now.rule, world.iteration)
-    columns = {stage: [each.get(stage, 0) / 1e6 for each in played] for stage in (*STAGES, "events", "other", "frame")}
-    whole = columns.pop("frame")
+    names = *STAGES, "events", "other", "frame", "own"
+    columns = {stage: [each.get(stage, 0) / 1e6 for each in played] for stage in names}
+    whole, own = columns.pop("frame"), columns.pop("own")
     return {
         "scene": scene.name,
         "cells": scene.shape[::-1],
@@ -133,13 +138,19 @@ def _report(app, scene, played, iterations):
         "iterations": iterations,
         "smooth": app.parts.sessions.now.streams is not None and app.parts.sessions.now.streams.follows(world),
         "stage_ms": {stage: statistics.mean(column) for stage, column in columns.items()},
-        "frame_ms": {
-            "mean": statistics.mean(whole),
-            "median": statistics.median(whole),
-            "p99": float(np.percentile(whole, 99)),
-            "max": max(whole),
-        },
+        "frame_ms": _summary(whole),
+        "own_ms": _summary(own),  # the work of the frames' thread, without what other programs took
         "same_as_without_window": world.digest() == twin.digest(),
+    }
+
+
+def _summary(numbers):
+    """Return mean, median, 99th percentile and maximum of numbers."""
+    return {
+        "mean": statistics.mean(numbers),
+        "median": statistics.median(numbers),
+        "p99": float(np.percentile(numbers, 99)),
+        "max": max(numbers),
     }
 
 
