@@ -106,10 +106,13 @@ class App:
         )
         layout, badge = display.layout, self.parts.camera.badge
         strips = {tuple(layout.bar): self.parts.time_bar.drawing(session)}
-        strips[tuple(layout.status_line)] = self.parts.status_line.drawing(
-            *(display.theme, layout.status_line, session, said, self.parts.timer.words),
-            *(self.parts.notices.line, badge if badge.shown else None),
-        )
+        if layout.status_line.height:
+            strips[tuple(layout.status_line)] = self.parts.status_line.drawing(
+                *(display.theme, layout.status_line, session, said, self.parts.timer.words),
+                *(self.parts.notices.line, badge if badge.shown else None),
+            )
+        if layout.board.height:
+            strips[tuple(layout.board)] = self.parts.stage.drawing(display.theme, layout.board)
         if display.panel_shown and not display.page:
             rect, strokes = self.parts.panel.drawing()
             strips[tuple(rect)] = strokes

@@ -13,6 +13,7 @@ from game.play.controls.keyboard_cursor import KeyboardCursor
 from game.play.controls.piece_commands import PieceCommands
 from game.play.controls.pointer import Pointer
 from game.play.controls.rewind import Rewind
+from game.play.controls.stage import Stage
 from game.play.controls.stamp_preview import StampPreview
 from game.play.controls.time_bar import TimeBar
 from game.play.forecast.density import Density
@@ -79,7 +80,7 @@ class Parts:
 
     def _make_holders(self, scene, seed, on_switch):
         """Make what the parts share."""
-        self.display = Display(self.window, self.settings, lambda: self.plots.measured_row)
+        self.display = Display(self.window, self.settings, lambda: self.plots.measured_row, lambda: self.stage.height)
         self.notices = Notices(lambda: (self.sessions.now, self.sessions.now.scene))
         self.background = Background(lambda error: self.notices.say(error, trouble=True))
         self.journals = Journals(self.notices.say)
@@ -120,6 +121,7 @@ class Parts:
         self.glow = Glow(self.display, self.settings)
         chime = Chime(self.settings, self.audio, self.background)
         self.timer = Timer(self.sessions, self.planner, self.notices, self.window.set_title, self.glow, chime)
+        self.stage = Stage(self.sessions, self.display, self.settings, self.timer, self.notices)
         self.panel = Panel(Ui(self.display.theme), self.display)
 
     def _make_controls(self):
@@ -138,7 +140,7 @@ class Parts:
             SandCommands(sessions, self.comparing, self.settings, display, notices, brush, self.camera, self.timer),
             ViewCommands(
                 *(sessions, display, notices, brush, self.camera, self.cursor, self.block_overlay),
-                *(self.forecasting, self.stats_card, self.plots, self.differences, self.density),
+                *(self.forecasting, self.stats_card, self.plots, self.differences, self.density, self.stage),
                 *(self.help, self.hiss, self.panel, self.quit),
             ),
             FileCommands(
@@ -157,7 +159,8 @@ class Parts:
             pygame.DROPFILE: lambda event: self.files.open(event.file),
         }
         self.event_router = EventRouter(
-            display, self.pointer, self.keys, self.commands, brush, self.time_bar, self.stats_card, first, on_window
+            *(display, self.pointer, self.keys, self.commands, brush, self.time_bar, self.stats_card, self.stage),
+            *(first, on_window),
         )
         pacers = self.fast_forward, self.timer
         self.frame_step = FrameStep(sessions, display, self.settings, self.time_bar, self.rewind, pacers)
@@ -186,7 +189,7 @@ class Parts:
                 ShowSection(sessions, self.forecasting, self.plots, self.stats_card, commands.view),
                 CompareSection(self.comparing, self.rule_files, self.differences, self.density, commands),
             ],
-            "View": [WindowSection(self.settings, self.hiss, commands.view)],
+            "View": [WindowSection(self.settings, self.hiss, self.stage, commands.view)],
         }
 
     def let_go(self):

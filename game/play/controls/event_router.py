@@ -9,10 +9,10 @@ from game.play.controls.time_bar import LEFT
 class EventRouter:
     """Gives events to the commands, the brush, the time bar and the status line."""
 
-    def __init__(self, display, pointer, keys, commands, brush, time_bar, stats_card, first, on_window):
+    def __init__(self, display, pointer, keys, commands, brush, time_bar, stats_card, stage, first, on_window):
         """`first`: what hears before the keys do. `on_window`: {type of an event of the window: what to do with it}."""
         self._display, self._pointer, self._keys, self._commands = display, pointer, keys, commands
-        self._brush, self._time_bar, self._stats_card = brush, time_bar, stats_card
+        self._brush, self._time_bar, self._stats_card, self._stage = brush, time_bar, stats_card, stage
         self._first, self._on_window = first, on_window
 
     def handle_event(self, event):
@@ -51,5 +51,7 @@ class EventRouter:
             brush.let_go()
         elif pressed and event.button == LEFT and layout.status_line.collidepoint(event.pos):
             self._stats_card.toggle()
+        elif pressed and event.button == LEFT and self._stage.on and layout.board.collidepoint(event.pos):
+            self._stage.toggle()
         elif pressed and layout.sand.collidepoint(event.pos):
             brush.handle_event(event, self._display.sand_view.view)

@@ -125,6 +125,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("P", (pygame.K_p,), "view.toggle_panel", "hide or show the panel"),
         Key("Ctrl+PgUp PgDn", (pygame.K_PAGEUP,), "view.turn_tab -1", "its sections", CTRL),
         Key("", (pygame.K_PAGEDOWN,), "view.turn_tab 1", "", CTRL),
+        Key("F5", (pygame.K_F5,), "view.toggle_stage", "stage: large, for a class"),
         Key("M", (pygame.K_m,), "view.toggle_sound", "sound of the sand"),
         Key("F11", (pygame.K_F11,), "view.toggle_fullscreen", "full screen"),
         Key("F1 or ?", (pygame.K_F1, pygame.K_QUESTION), "view.toggle_help", "this page"),

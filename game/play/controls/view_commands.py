@@ -21,6 +21,7 @@ class ViewCommands:
         plots,
         differences,
         density,
+        stage,
         keys_page,
         hiss,
         panel,
@@ -29,7 +30,7 @@ class ViewCommands:
         self._sessions, self._display, self._notices = sessions, display, notices
         self._brush, self._camera, self._cursor, self._blocks = brush, camera, cursor, blocks
         self._forecasting, self._figures, self._plots = forecasting, figures, plots
-        self._differences, self._density = differences, density
+        self._differences, self._density, self._stage = differences, density, stage
         self._help, self._hiss, self._panel, self._on_quit = keys_page, hiss, panel, on_quit
 
     def show_all(self):
@@ -89,6 +90,10 @@ class ViewCommands:
             self.toggle_panel()
         self._panel.turn(int(tabs))
 
+    def toggle_stage(self):
+        """Make the window one for a class, or no longer."""
+        self._stage.toggle()
+
     def toggle_sound(self):
         """Let the sand be heard, or not."""
         self._hiss.toggle()
@@ -115,6 +120,7 @@ class ViewCommands:
             (self._density.shown, self.toggle_density),
             (self._figures.kept, self._figures.toggle),
             (isinstance(self._sessions.now, Comparison), self._sessions.leave),
+            (self._stage.on, self.toggle_stage),
             (self._display.window.fullscreen, self.toggle_fullscreen),
         ):
             if is_open:

@@ -70,7 +70,8 @@ class Density:
         self.answer, self._laid = answer, (answer.now, self._about, view)
         maps = answer.levels.items()
         overlays = {name: HeatmapOverlay(CropBox(0, 0, *each.shape), each, density_covers) for name, each in maps}
-        view.lay_over(overlays, dict.fromkeys(overlays, f"t = {self._from + answer.now:,}"))
+        title = f"t = {self._from + answer.now:,}".replace(" ", "\N{NO-BREAK SPACE}")  # not to be cut
+        view.lay_over(overlays, dict.fromkeys(overlays, title))
         self._display.refresh()
 
     def drawing(self, theme, rect):

@@ -109,3 +109,12 @@ def with_foot(theme, room, nows):
     ends = ((f"{nows[0]:,}", 0), (f"iteration {nows[-1]:,}", 1))
     strokes = [(draw_list.words, foot, text, look.SMALL, look.FAINT, align) for text, align in ends]
     return pygame.Rect(room.x, room.y, room.width, room.height - high - 2), strokes
+
+
+def with_name(theme, strokes, room, name):
+    """Return strokes with the name of the upright axis above it, and the rect left below that."""
+    high = theme.line_height(look.SMALL)
+    if room.height < 4 * high:
+        return strokes, room
+    words = (draw_list.words, (room.x, room.y, room.width, high), name, look.SMALL, look.FAINT, 0)
+    return [*strokes, words], pygame.Rect(room.x, room.y + high, room.width, room.height - high)

@@ -28,6 +28,7 @@ LONGEST_S = 5.0  # … but not for longer than this
 WATCH_SHARE = 20  # counting the reactions of one iteration in each frame may take one part in 20
 GAP = 6  # pixels at scale 1 between cards
 LEAST_CARD = 144  # pixels at scale 1: width of a card whose title and value have room
+LOWEST_CARD, LOWEST_COMPARED = 86, 124  # pixels at scale 1: height of a card whose curves have room
 PARTS = 3, 3, 3, 2  # how the cards of several materials share the rest of the length
 MOST_AUDIT = 0.44  # of the cards' length, that the audit of coloured sand may take
 
@@ -130,7 +131,8 @@ class Plots:
     def _look_for_room(self):
         lacked, self._lacks_room = self._lacks_room, self.shown and self._display.layout.plots is None
         if self._lacks_room and not lacked:
-            self._notices.say("The window is too small for the plots.", holds=lambda: self._lacks_room)
+            key = " P hides the panel and makes room." if self._display.hidden_panel_makes_room else ""
+            self._notices.say(f"The window is too small for the plots.{key}", holds=lambda: self._lacks_room)
 
     def forget(self):
         """Draw the cards anew next time."""
@@ -163,10 +165,13 @@ class Plots:
 
     def _placed(self, area):
         """Return [(rect, function that returns the strokes of the card there)]."""
-        gap, cards = self._display.theme.px(GAP), self._cards()
-        tall = area.height > area.width
-        edges = self._edges(area.height if tall else area.width, tall, len(cards))
-        placed = []
+        gap, px = self._display.theme.px(GAP), self._display.theme.px
+        tall, placed = area.height > area.width, []
+        length, least = area.width, LEAST_CARD
+        if tall:
+            length, least = area.height, LOWEST_CARD if len(self._compared) < 2 else LOWEST_COMPARED
+        cards = self._fitting(length // px(least))
+        edges = self._edges(length, tall, cards)
         for each, (start, end) in zip(cards, pairwise(edges), strict=True):
             if tall:
                 rect = pygame.Rect(area.x, area.y + start, area.width, end - start)
@@ -175,6 +180,14 @@ class Plots:
             rect = rect.inflate(-gap, -gap)
             placed.append((rect, partial(each, rect)))
         return placed
+
+    def _fitting(self, most):
+        """Return the functions that draw the cards that there is room for; on the stage all that is of the sand."""
+        cards = list(self._cards())
+        for each in (self._frames, self._audit):
+            if each in cards and (len(cards) > most or self._display.on_stage):
+                cards.remove(each)
+        return cards[: max(1, most)]
 
     def _cards(self):
         """Return the functions that draw the cards: of sand how it flows and lies, of others how much there is."""
@@ -203,9 +216,10 @@ class Plots:
         books = sorted(self._sessions.now.rule.definition.books, key=lambda book: len(book.but))
         return books_card(self._display.theme, rect, self._account, self._amounts_now, books)
 
-    def _edges(self, length, tall, count):
+    def _edges(self, length, tall, cards):
         """Return where the cards begin and end along the area; the audit of coloured sand may take more than others."""
-        if len(self._compared) > 1:
+        count = len(cards)
+        if self._audit not in cards:
             return [length * number // count for number in range(count + 1)]
         account, audit = self._account, length // count
         if account.mixed:
@@ -218,7 +232,7 @@ class Plots:
             )
             audit = max(audit, next((side + gap for side in wanted if side + gap <= most), most))
         rest = length - audit
-        parts = (1,) * (count - 1) if self._sessions.now.rule.codes.is_sand else PARTS
+        parts = (1,) * (count - 1) if self._sessions.now.rule.codes.is_sand else PARTS[: count - 1]
         starts = [0, *accumulate(parts)]
         return [*(rest * start // sum(parts) for start in starts), length]
 
@@ -230,6 +244,7 @@ class Plots:
         if theme.width(f"{title} {now}", look.SMALL) > rect.width - 2 * theme.px(charts.PAD):
             title = "Flow"
         strokes, room = charts.card(theme, rect, title, now)
+        strokes, room = self._named(strokes, room, "grains per iteration")
         room, foot = charts.with_foot(self._display.theme, room, self._nows())
         low = -charts.round_up(-min([0.0, *known]))
         high = charts.round_up(max([0.1, *known]))
@@ -243,11 +258,9 @@ class Plots:
         below = (room.x, room.y, room.width, self._display.theme.px(charts.HEAD))
         strokes.append((draw_list.words, below, "below", look.SMALL, look.RING, 0))
         strokes.append((draw_list.words, below, f"{last.below:,}", look.SMALL, look.RING, 1))
-        room, foot = charts.with_foot(
-            self._display.theme,
-            pygame.Rect(room.x, below[1] + below[3], room.width, room.height - below[3]),
-            self._nows(),
-        )
+        room = pygame.Rect(room.x, below[1] + below[3], room.width, room.height - below[3])
+        strokes, room = self._named(strokes, room, "grains")
+        room, foot = charts.with_foot(self._display.theme, room, self._nows())
         most = charts.round_up(max(1, *(max(each.above, each.below) for each in samples)))
         figures, room = self._scale(room, 0, most)
         series = [([e.above for e in samples], look.ACCENT), ([e.below for e in samples], look.RING)]
@@ -285,6 +298,12 @@ class Plots:
     @property
     def _amounts_now(self):
         return self.measurements.samples[-1].amounts
+
+    def _named(self, strokes, room, name):
+        """Return strokes with the name of the upright axis, on the stage, and the rect left for the chart."""
+        if not self._display.on_stage:
+            return strokes, room
+        return charts.with_name(self._display.theme, strokes, room, name)
 
     def _nows(self):
         return [each.now for each in self.measurements.samples]

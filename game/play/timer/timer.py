@@ -85,7 +85,12 @@ class Timer:
     @property
     def words(self):
         """The time left, in words, while it runs, or ""."""
-        return f"{spell_left(self.left_s)} left" if self.state == RUNNING else ""
+        return f"{self.clock_words} left" if self.state == RUNNING else ""
+
+    @property
+    def clock_words(self):
+        """The time left, as on a clock."""
+        return spell_left(self.left_s)
 
     def start(self):
         """Start counting down."""

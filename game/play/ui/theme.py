@@ -44,11 +44,11 @@ class Theme:
     """Everything a panel is drawn with at one UI scale and in one set of colours; make a new one to change either."""
 
     def __init__(self, scale=parameters.UI_SCALE.default, colours=NIGHT):
-        self.scale = parameters.UI_SCALE.check(scale)
+        self.scale = scale
         self.colours = colours
         self.px = self._remembering(Theme._px, 256)
         pygame.font.init()
-        self._fonts = {size: pygame.font.Font(str(FONT_FILE), self.px(size)) for size in (BODY, HEADING, SMALL)}
+        self._font = self._remembering(Theme._font_of, 32)
         self.words = self._remembering(Theme._words, 512)
         self.width = self._remembering(Theme._width, 1024)
         self.fitted = self._remembering(Theme._fitted, 512)
@@ -65,21 +65,25 @@ class Theme:
         """Return `size`, given in pixels at scale 1, in whole pixels of the screen, at least 1."""
         return max(1, round(size * self.scale))
 
+    def _font_of(self, size):
+        """Return the font in a size."""
+        return pygame.font.Font(str(FONT_FILE), self.px(size))
+
     def rgb(self, colour):
         """Return the RGB of a role; RGB stays as it is."""
         return self.colours.panel[colour] if isinstance(colour, str) else colour
 
     def line_height(self, size):
         """Return the height in pixels of a line of text."""
-        return self._fonts[size].get_linesize()
+        return self._font(size).get_linesize()
 
     def _width(self, text, size):
         """Return the width in pixels of one line of text."""
-        return self._fonts[size].size(_spelled(text))[0]
+        return self._font(size).size(_spelled(text))[0]
 
     def _words(self, text, size, colour):
         """Return one line of text as a surface."""
-        return self._fonts[size].render(_spelled(text), True, self.rgb(colour))
+        return self._font(size).render(_spelled(text), True, self.rgb(colour))
 
     def _fitted(self, text, size, width):
         """Return `text`, cut and ended with … where it is wider than `width` pixels."""

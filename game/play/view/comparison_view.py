@@ -15,7 +15,7 @@ PAD = 8  # in a title, beside and between its words
 STRIPE = 4  # in the colour of a world, at the left of its title
 GAP = 3  # between panes, so that zoomed worlds are not read as one
 FORMS = (  # of a title, from the fullest: size of its name, words of its count
-    *((look.HEADING, 3), (look.HEADING, 1), (look.SMALL, 1)),
+    *((look.HEADING, 3), (look.HEADING, 2), (look.HEADING, 1), (look.SMALL, 1)),
     *((look.HEADING, 0), (look.SMALL, 0)),
 )
 LONGEST = "888,888 cells differ"  # of what stands beside a name
@@ -234,7 +234,7 @@ class ComparisonView:
 
 
 def _first(words, number):
-    return " ".join(words.split()[:number])
+    return " ".join(words.split(" ")[:number])
 
 
 def _width(theme, name, size, left):

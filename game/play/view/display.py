@@ -13,6 +13,8 @@ from game.world.looks.themes import THEMES, substances_of
 from game.world.looks.view import View
 from game.world.sessions.comparison import Comparison
 
+STAGE_ROWS = 500  # pixels at scale 1 from top to bottom of the stage: so large is everything there
+
 
 class LatticeView(Protocol):
     """The view of one lattice, or of several that are shown in the same way: a SandView or a ComparisonView."""
@@ -50,18 +52,24 @@ class LatticeView(Protocol):
 class Display:
     """Keeps theme, layout and view of the sand; all three are replaced while the window is open."""
 
-    def __init__(self, window, settings, measured_row):
-        """`measured_row()` returns the row above which a comparison counts the grains that are left."""
+    def __init__(self, window, settings, measured_row, board_height):
+        """`measured_row()` returns the row above which a comparison counts the grains that are left.
+
+        `board_height()` returns the pixels that large letters take below the sand.
+        """
         self.window, self._settings, self._measured_row = window, settings, measured_row
+        self._board_height = board_height
         self.theme = look.theme_of(settings["ui_scale"], self.colours)
         self.layout = None
         self.sand_view: LatticeView = SandView(window)
         self.panel_shown = True
+        self.on_stage = False  # everything is large, and small print is away
         self.plots_shown = self.legend_shown = self.density_shown = self.figures_shown = False
         self.pages = ()  # what takes the place of everything else in the window while it is open
         self.now_s = 0.0  # when this frame is
         self.stale = False  # the view of the sand has to be drawn anew
         self._session = None  # whose worlds the view shows
+        self._shape = 1, 1  # of its lattices
         self._looks = None  # what everything was laid out for
 
     @property
@@ -86,19 +94,36 @@ class Display:
         """Lay everything out for a session's worlds, if anything about that has changed; return whether it had."""
         shape, walls = session.world.shape, session.scene.made_of
         substances = [substances_of(each.rule.definition.materials) for each in session.sessions.values()]
-        cards = ("legend",) * self.legend_shown + ("density",) * self.density_shown + ("figures",) * self.figures_shown
-        looks = session, self.window.size, shape, walls, substances, self.colours, self._settings["ui_scale"], cards
+        settings = self.window.size, self.colours, self._settings["ui_scale"], self.on_stage, self._board_height()
+        looks = session, shape, walls, substances, self._cards, settings
         if looks == self._looks:
             return False
-        self._looks = looks
+        self._looks, self._shape = looks, shape
         self._renew_theme()
-        self.layout = WindowLayout(self.theme, self.window.size, self.panel_shown, shape, self.plots_shown, cards)
+        self.layout = self._lay_out(self.panel_shown)
         self.window.surface.fill(self.colours.ground)
         if session is not self._session:
             self._session = session
             self.sand_view = self._sand_view_of(session)
         self.sand_view.fit(shape, self.layout.sand, self.theme.px(MARGIN), self.theme, walls, substances)
         return True
+
+    @property
+    def hidden_panel_makes_room(self):
+        """Whether the plots have room as soon as the panel is hidden."""
+        return self.panel_shown and self._lay_out(panel_shown=False).plots is not None
+
+    @property
+    def _cards(self):
+        """The names of the cards beside the sand."""
+        shown = {"legend": self.legend_shown, "density": self.density_shown, "figures": self.figures_shown}
+        return tuple(name for name, is_shown in shown.items() if is_shown)
+
+    def _lay_out(self, panel_shown):
+        return WindowLayout(
+            *(self.theme, self.window.size, panel_shown, self._shape, self.plots_shown, self._cards),
+            *(self._board_height(), self.on_stage),
+        )
 
     def _sand_view_of(self, session):
         if isinstance(session, Comparison):
@@ -107,6 +132,9 @@ class Display:
 
     def _renew_theme(self):
         """Keep the colours and the UI scale that were asked for, as far as the window leaves room for it."""
-        wanted = fitting_scale(self._settings["ui_scale"], self.window.size), self.colours
+        scale = self._settings["ui_scale"]
+        if self.on_stage:
+            scale = max(scale, self.window.size[1] / STAGE_ROWS)
+        wanted = fitting_scale(scale, self.window.size), self.colours
         if wanted != (self.theme.scale, self.theme.colours):
             self.theme = look.theme_of(*wanted)

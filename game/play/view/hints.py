@@ -79,7 +79,7 @@ class Hints:
         return None
 
     def _is_moment(self, hint, now_s):
-        if self._display.page or self._notices.line or self._sessions.can_leave:
+        if self._display.page or self._display.on_stage or self._notices.line or self._sessions.can_leave:
             return False
         if now_s - self._start_s < hint.after_s:
             return False

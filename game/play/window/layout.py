@@ -13,8 +13,9 @@ PANEL = 300  # its width in pixels at scale 1
 NARROWEST_PANEL = 240  # at scale 1: all words of the controls still fit
 LOWEST_WINDOW = 160  # at scale 1: sand, pages and cards still have room
 PLOTS = 210, 132  # pixels at scale 1: width of a column of plots, height of a strip
-PLOTS_COLUMN, PLOTS_STRIP = 450, 760  # the least height of the one and width of the other
-LEAST_SAND = 240  # what the plots leave to the sand, or they are not shown
+PLOTS_ALL, PLOTS_FEW = (450, 760), (180, 320)  # height of the one and width of the other for all plots, and for two
+STAGE_PLOTS = 0.38  # of the width, that a column of plots takes on the stage
+LEAST_SAND = 240  # pixels, whatever the scale, that the plots leave to the sand, or they are not shown
 COLUMN = 242  # pixels at scale 1: width of a column of cards
 CARDS = {
     "legend": (196, 96),
@@ -36,33 +37,40 @@ class WindowLayout:
     Nothing lies over the sand: plots and cards take room from its part of the window.
     """
 
-    def __init__(self, theme, size, panel_shown, shape=None, plotted=False, cards=()):
-        """`shape`: of the lattice, whose plots and whose `cards`, names in CARDS, are shown beside it."""
+    def __init__(self, theme, size, panel_shown, shape=None, plotted=False, cards=(), board=0, on_stage=False):
+        """`shape`: of the lattice, whose plots and whose `cards`, names in CARDS, are shown beside it.
+
+        board: the pixels that large letters take below the sand. on_stage: there is no status line, and plots are wide.
+        """
         width, height = size
         self.panel = _panel_in(theme, size)
         wide = width - (self.panel.width if panel_shown else 0)
-        bar, line = theme.px(TIME_BAR), theme.px(STATUS_LINE)
-        self.sand = pygame.Rect(0, 0, wide, height - bar - line)
+        bar, line = theme.px(TIME_BAR), 0 if on_stage else theme.px(STATUS_LINE)
+        self.sand = pygame.Rect(0, 0, wide, max(1, height - bar - line - board))
         self.bar = pygame.Rect(0, self.sand.bottom, wide, bar)
+        self.board = pygame.Rect(0, self.bar.bottom, wide, board)  # of large letters
         self.status_line = pygame.Rect(0, height - line, wide, line)
         self.plots = None  # or their rect, where there is room for them
         if plotted:
-            self._place_plots(theme, shape)
+            self._place_plots(theme, shape, STAGE_PLOTS * wide if on_stage else 0)
         self.cards = {}  # {name: rect}
         if cards:
             self._place_cards(theme, shape, cards)
 
-    def _place_plots(self, theme, shape):
+    def _place_plots(self, theme, shape, least_width):
         """Give the plots a column beside the sand or a strip below it, whichever leaves larger cells."""
-        sand, wide, high = self.sand, theme.px(PLOTS[0]), theme.px(PLOTS[1])
-        ways = []
-        if sand.width >= wide + theme.px(LEAST_SAND) and sand.height >= theme.px(PLOTS_COLUMN):
-            ways.append((pygame.Rect(wide, 0, sand.width - wide, sand.height), pygame.Rect(0, 0, wide, sand.height)))
-        if sand.height >= high + theme.px(LEAST_SAND) and sand.width >= theme.px(PLOTS_STRIP):
-            below = pygame.Rect(0, sand.height - high, sand.width, high)
-            ways.append((pygame.Rect(0, 0, sand.width, sand.height - high), below))
-        if ways:
-            self.sand, self.plots = max(ways, key=lambda way: _cell(way[0], shape))
+        sand, wide, high = self.sand, max(theme.px(PLOTS[0]), round(least_width)), theme.px(PLOTS[1])
+        beside = pygame.Rect(wide, 0, sand.width - wide, sand.height), pygame.Rect(0, 0, wide, sand.height)
+        above, below = pygame.Rect(sand.x, 0, sand.width, sand.height - high), pygame.Rect(0, 0, sand.width, high)
+        for column, strip in (PLOTS_ALL, PLOTS_FEW):
+            ways = []
+            if sand.width >= wide + LEAST_SAND and sand.height >= theme.px(column):
+                ways.append(beside)
+            if sand.height >= high + LEAST_SAND and sand.width >= theme.px(strip):
+                ways.append((above, below.move(0, above.bottom)))
+            if ways:
+                self.sand, self.plots = max(ways, key=lambda way: _cell(way[0], shape))
+                return
 
     def _place_cards(self, theme, shape, names):
         """Give the cards the way that leaves the largest cells, and of such ways the one that moves the sand least.

@@ -28,6 +28,7 @@ ROWS = (
     Choice("recording", "gif", ("gif", "webp", "mp4"), "format of recordings; mp4 needs ffmpeg"),
     Switch("chime", True, "a bell when the timer ends"),
     Knob("volume", 0.5, 0.0, 1.0, "", "how loud the sand is", ends=("soft", "loud")),
+    Names("stage_lines", "what stands in large letters on the stage", ("iteration", "p", "partition", "clock")),
     Names("hints_seen", "hints that were shown, and are not shown again"),
     Knob("window_width", 0, 0, 16384, "pixels", "width of the window; 0 suits scene and screen", whole=True),
     Knob("window_height", 0, 0, 16384, "pixels", "height of the window; 0 suits scene and screen", whole=True),

@@ -72,7 +72,7 @@ def test_by_keys_alone_the_papers_four_p_are_compared_up_to_iteration_200(paper,
     assert all(note.endswith("cells differ") for note in notes(paper))
     paper.key(pygame.K_F8)
     await_density(paper)
-    assert notes(paper) == ["t = 200"] * 4
+    assert notes(paper) == ["t\N{NO-BREAK SPACE}=\N{NO-BREAK SPACE}200"] * 4
     paper.key(pygame.K_l, "L", SHIFT)
     paper.settle()
     assert len([*(own_folder / "measures").glob("*.png")]) == 4

@@ -64,11 +64,28 @@ def test_still_plots_of_a_still_world_are_not_drawn_again(glass):
     assert glass.parts.plots.draw(glass.parts.window.surface) == [area]
 
 
-def test_a_window_without_room_says_so():
-    player = Player("hourglass", (640, 480))
+@pytest.mark.parametrize(("size", "makes_room"), [((400, 300), False), ((640, 480), True)])
+def test_a_window_without_room_says_so_and_which_key_makes_some(size, makes_room):
+    player = Player("hourglass")
+    player.parts.settings.override("ui_scale", 2)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
     player.key(pygame.K_l, "l")
+    player.wait(1)
     assert player.parts.display.layout.plots is None and "too small" in player.parts.notices.text
+    assert ("P hides the panel" in player.parts.notices.text) == makes_room
+    player.key(pygame.K_p, "p")
+    player.wait(1)
+    assert (player.parts.display.layout.plots is not None) == makes_room
+    player.parts.close()
     pygame.display.quit()
+
+
+@pytest.mark.parametrize("panel_shown", [True, False])
+@pytest.mark.parametrize(("size", "scale"), [((640, 480), 1), ((1280, 720), 1), ((1280, 720), 2), ((1920, 1080), 2)])
+def test_on_usual_screens_there_is_room_for_the_plots_at_any_scale(size, scale, panel_shown):
+    layout = WindowLayout(Theme(scale), size, panel_shown, (240, 180), plotted=True)
+    assert layout.plots and layout.sand.width >= 240 and layout.sand.height >= 240
 
 
 def test_the_tables_are_saved_with_a_header(glass, own_folder, monkeypatch):
@@ -240,8 +257,8 @@ def test_a_window_that_has_become_too_small_for_the_plots_says_so(glass):
     glass.key(pygame.K_l, "l")
     glass.wait(2)
     assert glass.parts.display.layout.plots is not None
-    pygame.display.set_mode((640, 480), pygame.RESIZABLE, 32)
-    glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=640, y=480))
+    pygame.display.set_mode((400, 300), pygame.RESIZABLE, 32)
+    glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=400, y=300))
     glass.wait(2)
     assert glass.parts.display.layout.plots is None and "too small" in glass.parts.notices.text
     glass.key(pygame.K_l, "l")
