@@ -10,10 +10,10 @@ from game.world.sessions.session import Session
 
 
 def test_no_moment_of_a_recording_that_was_made_ready_compiles_a_rule(monkeypatch):
-    own = load_rule("water-and-oil").definition
+    own = load_rule("rolling-sand").definition
     again = Rule(definition=definition_of_texts(own.name, own.texts))  # as a file tells it
-    session = Session(load_scene("blank", (40, 30)), seed=1)
-    for what in (SetRule(again), SetRule(Rule.with_p(0.5)), Load(load_scene("three-sands", (90, 30)), 2)):
+    session = Session(load_scene("aquarium", (60, 40)), seed=1)
+    for what in (SetRule(again), Load(load_scene("three-sands", (90, 30)), 2)):
         session.timeline.run(5)
         session.do(what)
     recording = Recording(session.timeline.start[0], 1, session.timeline.history.story(), session.now)
