@@ -371,6 +371,11 @@ def _scene_to_play(options, recording):
     return _load(options)
 
 
+def _suits_window(options):
+    """Return whether the scene may be made in other cells than its own: nobody has asked for just this lattice."""
+    return options.replay is None and options.scene in (None, SCENE) and not (options.size or options.cell)
+
+
 def _play(options):
     recording = None if options.replay is None else _load_replay(options)
     scene, seed = _scene_to_play(options, recording)
@@ -378,7 +383,8 @@ def _play(options):
 
     settings = _settings({"ui_scale": options.ui_scale})
     try:
-        loop.play(scene, settings, seed, options.p, options.cell, options.fullscreen, recording, options.timer)
+        of_window = settings, seed, options.p, options.cell, options.fullscreen
+        loop.play(scene, *of_window, recording, options.timer, suits=_suits_window(options))
         return process.leave_threads(0)
     except loop.NoDisplayError as error:
         print(f"sandglass: no display to open a window on ({error}); running headless instead")

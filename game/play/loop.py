@@ -9,24 +9,26 @@ from game.play.frame_wait import FrameWait
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.window.allocator import freeze_objects, return_freed_memory
-from game.play.window.layout import WindowLayout, first_scale, first_size, window_size
+from game.play.window.layout import WindowLayout, first_scale, first_size, room_of, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
 from game.process import ending_within, is_asked_to_end, noting_signals
 from game.world.background.compile_worker import StepThread, steps_to_play
 from game.world.files.atomic import drop_parts
 from game.world.files.paths import clear_user_parts
 from game.world.looks.view import View
+from game.world.scenes.fine_glass import fine_glass
 
 __all__ = ["NoDisplayError", "play"]
 
 CLOSING_S = 2.0  # the longest that the end waits for what is being written
 
 
-def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording=None, timer_s=None):
+def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording=None, timer_s=None, suits=False):
     """Play `scene`, or a Recording, in a window until the player quits; raise NoDisplayError if none can be opened.
 
-    timer_s: seconds that the timer is started with, if any. Threads may still be at work afterwards: who ends the
-    process ends them, by `leave_threads`.
+    timer_s: seconds that the timer is started with, if any. suits: a glass is made in cells that suit the window, and
+    follows it while it is untouched. Threads may still be at work afterwards: who ends the process ends them, by
+    `leave_threads`.
     """
     return_freed_memory()
     pygame.font.init()
@@ -34,7 +36,10 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
         settings["ui_scale"] = first_scale(desktop_size())
     theme = look.Theme(settings["ui_scale"])
     window = Window(_size(scene, settings, cell, theme), fullscreen)
-    cell = View.fit(scene.shape, *WindowLayout(theme, window.size, panel_shown=True).sand).cell
+    layout, base = WindowLayout(theme, window.size, panel_shown=True), scene
+    if suits:
+        scene = fine_glass(scene, room_of(layout, theme))
+    cell = View.fit(scene.shape, *layout.sand).cell
     first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures)
     worker = StepThread(first)
     try:
@@ -43,6 +48,8 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
                 worker = StepThread(later)
                 app = App(window, scene, seed, p, settings)
                 _begin(app, recording, timer_s)
+                if suits:
+                    app.parts.window_glass.follow(base, brush_too=not settings.has("brush"))
                 run(app, worker)
                 pygame.quit()
                 with ending_within(CLOSING_S, drop_parts):

@@ -45,6 +45,7 @@ from game.play.storage.recorder import Recorder
 from game.play.storage.rule_change import RuleChange
 from game.play.storage.rule_files import RuleFiles
 from game.play.storage.settings_saver import SettingsSaver
+from game.play.storage.window_glass import WindowGlass
 from game.play.timer.chime import Chime
 from game.play.timer.glow import Glow
 from game.play.timer.run_out_planner import RunOutPlanner
@@ -64,6 +65,7 @@ from game.play.view.status_line import StatusLine
 from game.play.window.audio import Audio
 from game.play.window.background import Background
 from game.play.window.hiss import Hiss
+from game.world.scenes.fine_glass import fine_glass
 from game.world.sessions.session import Session
 
 
@@ -84,7 +86,13 @@ class Parts:
         self.notices = Notices(lambda: (self.sessions.now, self.sessions.now.scene))
         self.background = Background(lambda error: self.notices.say(error, trouble=True))
         self.journals = Journals(self.notices.say)
-        self.sessions = Sessions(Session(scene, seed), self.journals, self.notices, on_switch)
+        self.sessions = Sessions(
+            Session(scene, seed),
+            self.journals,
+            self.notices,
+            on_switch,
+            lambda each: fine_glass(each, self.display.room),
+        )
         self.frame_stats, self.audio = FrameStats(), Audio(self.background)
         self.brush, self.pointer, self.keys = Brush(self.sessions), Pointer(self.display), HeldKeys(self.sessions)
 
@@ -123,6 +131,14 @@ class Parts:
         self.timer = Timer(self.sessions, self.planner, self.notices, self.window.set_title, self.glow, chime)
         self.stage = Stage(self.sessions, self.display, self.settings, self.timer, self.notices)
         self.panel = Panel(Ui(self.display.theme), self.display)
+        self.window_glass = WindowGlass(
+            self.sessions,
+            self.display,
+            self.journals,
+            self.brush,
+            self.notices,
+            lambda: self.timer.state == RUNNING or self.recorder.going_on,
+        )
 
     def _make_controls(self):
         """Make what keys and pointer work, and tell in which order all parts hear and are seen."""
@@ -170,7 +186,7 @@ class Parts:
         hints = Hints(self.settings, sessions, display, notices)
         self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss, hints]
         self.watchers += [self.forecasting, self.density, self.plots, self.fast_forward, self.timer, self.glow]
-        self.watchers += [self.rule_change, self.rule_files, self.block_card]
+        self.watchers += [self.rule_change, self.rule_files, self.block_card, self.window_glass]
 
     def _sections(self):
         """Return the sections of the panel by the names of its tabs, from top to bottom."""

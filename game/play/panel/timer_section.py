@@ -54,7 +54,8 @@ class TimerSection:
         if ui.button(label, key="T", name="Timer start", tip="Starts or stops the timer"):
             self._commands.toggle_timer()
         if ui.button("A glass for it", tip=f"Replaces this scene with a glass made for {spell(timer.wanted_s)}"):
-            self._sessions.open_scene(scene_of(glass_for(timer.wanted_s)), self._sessions.now.seed)
+            glass = self._sessions.suited(scene_of(glass_for(timer.wanted_s)))
+            self._sessions.open_scene(glass, self._sessions.now.seed)
         tip = "Rings a soft bell when the time is up"
         self._settings["chime"] = ui.toggle("Chime at the end", self._settings["chime"], tip=tip)
         words = _told(timer)

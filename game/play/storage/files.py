@@ -48,7 +48,7 @@ class Files:
         """Put a shipped scene in place of this one: of sand at once, else as soon as its rule is compiled."""
         scene = load_scene(name)
         if scene.rule.is_sand:
-            self._sessions.open_scene(scene, self._sessions.now.seed)
+            self._sessions.open_shipped(scene)
         else:
             self.open(asset("scenes", f"{name}.toml"))
 

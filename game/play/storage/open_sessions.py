@@ -2,21 +2,26 @@
 
 from game.play.window.allocator import trim_heap
 from game.world.sand import parameters
-from game.world.scenes.scene import load_scene, scene_title
+from game.world.scenes.scene import ORDER, load_scene, scene_title
 from game.world.sessions.action import Load
 from game.world.sessions.session import SEEK_NS
 
 LARGE = 2**23  # cells: an act on more takes longer than a frame, and so is announced
+FIRST = ORDER[0]  # the scene that the window opens with
 MOST_WAITING = 4  # when more sessions wait, the second one is dropped, never the first, the player's own
 
 
 class Sessions:
     """The session that is played now, and a stack of those that wait, with little memory, the player's own first."""
 
-    def __init__(self, session, journals, notices, on_switch):
-        """`on_switch()` is called after another session, or another scene, has taken the place of the one shown."""
+    def __init__(self, session, journals, notices, on_switch, suited=lambda scene: scene):
+        """`on_switch()` is called after another session, or another scene, has taken the place of the one shown.
+
+        suited(scene): returns a scene of one glass in cells that suit the window.
+        """
         self.now = session
         self._journals, self._notices, self._on_switch = journals, notices, on_switch
+        self.suited = suited
         self._waiting = []
         self._has_waited = False  # in this frame, for the sand to be computed
         self.words = ""  # what is about to be done, for the status line
@@ -60,7 +65,11 @@ class Sessions:
 
     def load(self, name):
         """Put the shipped scene of that name in place of this one."""
-        self.open_scene(load_scene(name), self.now.seed)
+        self.open_shipped(load_scene(name))
+
+    def open_shipped(self, scene):
+        """Put a shipped scene in place of this one: the first of them in cells that suit the window."""
+        self.open_scene(self.suited(scene) if scene.name == FIRST else scene, self.now.seed)
 
     def open_scene(self, scene, seed):
         """Put a scene in place of this one, which can be undone; return whether that was done."""

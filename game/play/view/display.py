@@ -8,7 +8,7 @@ from game.play.ui import theme as look
 from game.play.view.comparison_view import ComparisonView
 from game.play.view.sand_view import SandView
 from game.play.view.turn_animation import TurnAnimation
-from game.play.window.layout import MARGIN, WindowLayout, fitting_scale
+from game.play.window.layout import MARGIN, WindowLayout, fitting_scale, room_of
 from game.world.looks.themes import THEMES, substances_of
 from game.world.looks.view import View
 from game.world.sessions.comparison import Comparison
@@ -81,6 +81,11 @@ class Display:
     def page(self):
         """The page that is open, or None."""
         return next((each for each in self.pages if each.shown), None)
+
+    @property
+    def room(self):
+        """The (width, height) in pixels of the part of the window that a lattice can fill."""
+        return room_of(self.layout, self.theme)
 
     def refresh(self):
         """Have the view of the sand drawn anew: what lies over it looks different."""

@@ -136,6 +136,12 @@ def _panel_in(theme, window_size):
     return pygame.Rect(window_size[0] - wide, 0, wide, window_size[1])
 
 
+def room_of(layout, theme):
+    """Return the (width, height) in pixels of the part of a window that a lattice can fill."""
+    margins = 2 * theme.px(MARGIN)
+    return layout.sand.width - margins, layout.sand.height - margins
+
+
 def window_size(scene, cell, theme):
     """Return the (width, height) in pixels of a window that shows `scene` with `cell` pixels to a cell."""
     px = theme.px
