@@ -1,4 +1,4 @@
-"""Heights: how many grains rest on the ground in each column, 64 columns of planes at a time."""
+"""Heights: how many grains rest on the ground in each column and how high they reach, 64 columns at a time."""
 
 import numpy as np
 
@@ -24,15 +24,27 @@ def _add(digits, ones):
 
 
 @gate
-def _stack(filled, solid, stride, word, parity, top, bottom, digits):
-    """Count the grains that rest in the rows from `bottom` - 1 up to `top`, in the columns of one word."""
+def _set(digits, lanes, number):
+    """Give the counts of some lanes a number."""
+    for k in range(DIGITS):
+        digits[k] = digits[k] | lanes if number >> k & 1 else digits[k] & ~lanes
+
+
+@gate
+def _stack(filled, solid, stride, word, parity, top, bottom, digits, tops):
+    """Count the grains that rest in the rows from `bottom` - 1 up to `top`, in the columns of one word.
+
+    Count in `tops` the rows from the bottom up to the uppermost of them.
+    """
     standing, resting = _FULL, _ZERO
     for y in range(bottom - 1, top - 1, -1):
         plane, at = 2 * (y & 1) + parity, (y >> 1) * stride + word
         sand, walls = filled[plane, at], solid[plane, at]
         standing = (standing & (sand | walls)) | (walls & ~resting)
         resting |= standing & sand
-        _add(digits, standing & sand)
+        if standing & sand:
+            _add(digits, standing & sand)
+            _set(tops, standing & sand, bottom - y)
 
 
 @gate
@@ -45,19 +57,23 @@ def _number(digits, lane):
 
 
 @kernel
-def stack_heights(filled, solid, stride, words, top, bottom, heights):
+def stack_heights(filled, solid, stride, words, top, bottom, heights, surface):
     """Write how many grains rest on the ground in each column, in rows `top` … `bottom` - 1, to (W,) int64 `heights`.
+
+    Write to `surface`, alike, how many rows lie from the bottom up to the uppermost of them, 0 where there is none.
 
     filled, solid: four planes each, of the grains and of the walls. The ground is the row `bottom`, or the highest wall
     below the lowest sand on a wall; sand above a gap is left out.
     """
     width = len(heights)
-    digits = np.empty(DIGITS, np.uint64)
+    digits, tops = np.empty(DIGITS, np.uint64), np.empty(DIGITS, np.uint64)
     for word in range(words):
         for parity in range(2):
             digits[:] = _ZERO
-            _stack(filled, solid, stride, word, parity, top, bottom, digits)
+            tops[:] = _ZERO
+            _stack(filled, solid, stride, word, parity, top, bottom, digits, tops)
             for lane in range(BITS):
                 x = 2 * (lane * words + word) + parity
                 if x < width:
                     heights[x] = _number(digits, np.uint64(lane))
+                    surface[x] = _number(tops, np.uint64(lane))

@@ -21,11 +21,10 @@ def curve(surface, theme, rect, points, colour):
         surface.fill(theme.rgb(colour), (*at[0], theme.px(1), theme.px(1)))
 
 
-def hill(surface, theme, rect, points, colour):
-    """Fill the ground below points (x, y) in pixels from the rect's upper left corner, from left to right."""
-    x, y, _, height = rect
-    for left, top in points:
-        surface.fill(theme.rgb(colour), (x + left, y + top, 1, height - top))
+def hill(surface, theme, rect, spans, colour):
+    """Fill columns (x, top, bottom) of pixels, counted from the rect's upper left corner."""
+    for x, top, bottom in spans:
+        surface.fill(theme.rgb(colour), (rect[0] + x, rect[1] + top, 1, bottom - top))
 
 
 def card(theme, rect, title, value):
@@ -90,14 +89,6 @@ def curves(rect, xs, series, low, high):
                 strokes.append((curve, tuple(rect), tuple(run), colour))
                 run = []
     return strokes
-
-
-def profile(rect, heights, high, colour):
-    """Return the stroke of a profile of (W,) heights, as wide as the rect."""
-    width = len(heights)
-    tops = [int(heights[x * width // rect.width]) for x in range(rect.width)]
-    points = [(x, round((1 - top / max(high, 1)) * rect.height)) for x, top in enumerate(tops) if top]
-    return hill, tuple(rect), tuple(points), colour
 
 
 def with_foot(theme, room, nows):

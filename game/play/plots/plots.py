@@ -12,6 +12,7 @@ from game.play.plots.audit_card import card, heights, widths
 from game.play.plots.card_strip import CardStrip
 from game.play.plots.comparison_cards import comparison_card, quantities
 from game.play.plots.material_cards import amounts_card, books_card
+from game.play.plots.pile_card import pile_card
 from game.play.plots.reactions_card import reactions_card
 from game.play.ui import draw_list
 from game.play.ui import theme as look
@@ -84,7 +85,7 @@ class Plots:
         self._slowest_ns = max(self._slowest_ns, self._frame_stats.frame_ns)
         now, found = self._sessions.now, self.measurements
         fits = found and (found.session, found.row, found.codes) == (now, self.measured_row, now.world.codes)
-        fits = fits and len(found.heights) == now.world.shape[1]
+        fits = fits and len(found.pile.heights) == now.world.shape[1]
         if fits and now_s < self._next_s:
             self._watch(now_s)
             return
@@ -151,7 +152,8 @@ class Plots:
             self._notices.say("Nothing has been measured yet. L opens the plots.")
             return
         name, columns, rows = self._sessions.now.scene.name, self.measurements.columns, self.measurements.rows()
-        profile = list(enumerate(self.measurements.heights.tolist()))
+        pile = self.measurements.pile
+        profile = list(zip(range(len(pile.heights)), pile.heights.tolist(), pile.surface.tolist(), strict=True))
 
         def work():
             path = save_new("measures", name, ".csv", csv(columns, rows))
@@ -267,13 +269,7 @@ class Plots:
         return strokes + foot + figures + charts.curves(room, self._nows(), series, 0, most)
 
     def _pile(self, rect):
-        last = self.measurements.samples[-1]
-        slope = "" if math.isnan(last.slope) else f", {last.slope:.0f}°"
-        strokes, room = charts.card(self._display.theme, rect, "Pile below", f"{last.height:,} high{slope}")
-        deep = self._sessions.now.world.shape[0] - self.measurements.row
-        high = charts.round_up(max(1, min(deep, 2 * last.height)))
-        figures, room = self._scale(room, 0, high)
-        return [*strokes, *figures, charts.profile(room, self.measurements.heights, high, look.ACCENT)]
+        return pile_card(self._display.theme, rect, self.measurements, self._display.on_stage)
 
     def _frames(self, rect):
         samples = self.measurements.samples

@@ -1,6 +1,7 @@
 """Measures of a world: flow, heights, slope, motion. Rows count from the top, heights from the ground."""
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 
@@ -9,6 +10,7 @@ from game.core.planes import BITS, count_set, planes_where
 from game.world.sand.advance import advance
 
 FLANK = 0.2, 0.8  # parts of a pile's height between which its slope is taken: foot and tip are rounded
+PARTS, LEAST_PART = 3, 4  # of a flank, whose slopes tell the error; and the fewest columns of a part
 MOST_ROWS = 128  # plane rows that a MotionMeter looks at
 ZONES = 8  # from left to right: the bytes of a word
 
@@ -30,10 +32,65 @@ def pile_heights(world, top=0):
 
     The ground is the lattice's edge, or the wall that carries the lowest sand there is on a wall.
     """
+    return pile(world, top).heights
+
+
+class Pile(NamedTuple):
+    """What rests below a row, column by column, as (W,) int64 in cells."""
+
+    heights: np.ndarray  # the grains that rest there
+    surface: np.ndarray  # from the lattice's lower edge up to the top of the uppermost of them; 0 where there is none
+
+    @property
+    def height(self):
+        """From the lowest ground that carries a grain to the top of the uppermost, in cells."""
+        there = self.heights > 0
+        return int(self.surface.max() - (self.surface - self.heights)[there].min()) if there.any() else 0
+
+
+def pile(world, top=0):
+    """Return the Pile below row `top`; see `pile_heights`."""
     height, width = world.shape
-    heights = np.zeros(width, np.int64)
-    stack_heights(world.filled_planes, world.wall_planes, world.layout.stride, world.layout.words, top, height, heights)
-    return heights
+    found = Pile(np.zeros(width, np.int64), np.zeros(width, np.int64))
+    where = world.layout
+    stack_heights(world.filled_planes, world.wall_planes, where.stride, where.words, top, height, *found)
+    return found
+
+
+def surface_slope(surface):
+    """Return (slope, its standard error) of a pile's two flanks, in degrees, from the (W,) heights of its surface.
+
+    The slope is that of straight lines through the flanks between a fifth and four fifths of their height. The error is
+    that of the mean of their PARTS: how much they differ says how straight the flanks are. NaN stands for what is not
+    known: a flank is as far as sand reaches without a gap from the peak.
+    """
+    surface = np.asarray(surface)
+    peak = int(np.argmax(surface))
+    flanks = [_flank(surface[peak::-1]), _flank(surface[peak:])]
+    slopes = [_line(each) for each in flanks]
+    parts = [_line(part) for each in flanks for part in np.array_split(each, PARTS) if len(part) >= LEAST_PART]
+    degrees = np.degrees(np.arctan(parts))
+    error = float(degrees.std(ddof=1)) / math.sqrt(len(degrees)) if len(degrees) > 2 else math.nan
+    return math.degrees(math.atan(sum(slopes) / 2)), error
+
+
+def _flank(falling):
+    """Return the heights of the straight part of a flank, from the peak outwards."""
+    gaps = np.flatnonzero(falling == 0)
+    falling = falling[: gaps[0]] if len(gaps) else falling
+    if not len(falling):
+        return falling
+    low, high = (falling.min() + part * (falling[0] - falling.min()) for part in FLANK)
+    inside = np.flatnonzero((falling >= low) & (falling <= high))
+    return falling[inside[0] : inside[-1] + 1] if len(inside) else falling[:0]
+
+
+def _line(falling):
+    """Return by how much heights fall from column to column, by least squares; NaN for fewer than two."""
+    if len(falling) < 2:
+        return math.nan
+    away = np.arange(len(falling)) - (len(falling) - 1) / 2
+    return -float(away @ falling) / float(away @ away)
 
 
 def slope_degrees(heights):

@@ -5,7 +5,7 @@ from collections import Counter
 from itertools import pairwise
 from typing import NamedTuple
 
-from game.world.sand.measure import grains_above, pile_heights, slope_degrees
+from game.world.sand.measure import grains_above, pile, surface_slope
 from game.world.sand.reaction_counts import coming_reactions
 from game.world.sand.sand_colours import COLOURS
 from game.world.sessions.action import SetRule
@@ -20,9 +20,10 @@ COMMON_COLUMNS = (
     "flow_grains_per_iteration",
     "pile_height_cells",
     "pile_slope_degrees",
+    "pile_slope_error_degrees",
     "slowest_frame_ms",
 )
-PROFILE_COLUMNS = "column", "pile_height_cells"
+PROFILE_COLUMNS = "column", "pile_height_cells", "surface_height_cells"
 
 
 class Measurement(NamedTuple):
@@ -33,7 +34,8 @@ class Measurement(NamedTuple):
     above: int  # grains
     below: int
     height: int  # of the pile below the row, in cells
-    slope: float  # of its flanks, in degrees; NaN if it has none
+    slope: float  # of the surface of its flanks, in degrees; NaN if it has none
+    slope_error: float  # standard error
     frame_ms: float  # the slowest frame since the sample before
     act: object  # the last act before
     amounts: tuple  # the grains of each colour, or in another world the cells of each material
@@ -47,7 +49,7 @@ class Measurements:
         self.session, self.row, self.codes = session, row, session.world.codes
         self.samples = []
         self._loaded_at = session.timeline.moment.loaded_at
-        self.heights = pile_heights(session.world, row)  # (W,) int64: the pile at the last sample
+        self.pile = pile(session.world, row)  # at the last sample
         self._watched, self._watched_at, self._reacted = 0, None, Counter()  # iterations since the last sample
 
     def watch(self):
@@ -64,12 +66,12 @@ class Measurements:
             self._loaded_at, self.samples = session.timeline.moment.loaded_at, []
         while self.samples and self.samples[-1].now >= world.iteration:
             self.samples.pop()
-        above, self.heights = grains_above(world, self.row), pile_heights(world, self.row)
-        height, slope = int(self.heights.max()), slope_degrees(self.heights)
+        above, self.pile = grains_above(world, self.row), pile(world, self.row)
+        slope = surface_slope(self.pile.surface)
         act = session.timeline.history.latest(session.now)
         now, amounts = world.iteration, world.amounts
         below = sum(amounts) - above
-        here = now, seconds, above, below, height, slope, frame_ms, act, amounts
+        here = now, seconds, above, below, self.pile.height, *slope, frame_ms, act, amounts
         self.samples.append(Measurement(*here, self._reactions(now)))
         if len(self.samples) > MOST:
             self.samples = _thinned(self.samples)
@@ -120,7 +122,7 @@ class Measurements:
         """Return the story as rows of numbers, as `columns` names them."""
         reactions = zip(*self.reactions().values(), strict=True) if self.reactions() else ((),) * len(self.samples)
         return [
-            (*each[:4], flow, *each[4:7], *each.amounts, *rates)
+            (*each[:4], flow, *each[4:8], *each.amounts, *rates)
             for each, flow, rates in zip(self.samples, self.flows(), reactions, strict=True)
         ]
 

@@ -361,3 +361,28 @@ def test_closed_plots_and_those_of_sand_count_no_reactions(glass, monkeypatch):
 @pytest.mark.parametrize(("number", "words"), [(0, "0"), (0.04, "0.0"), (9.94, "9.9"), (12.6, "13"), (99_400, "99k")])
 def test_a_rate_is_short(number, words):
     assert figure(number) == words
+
+
+@pytest.mark.parametrize(("size", "scale"), [((1280, 720), 1), ((1280, 720), 2), ((1920, 1080), 1)])
+def test_the_pile_is_drawn_to_scale_as_it_lies_in_its_glass(glass, size, scale):
+    glass.parts.settings.override("ui_scale", scale)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    glass.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    glass.session.timeline.run(6000)
+    glass.hold_time()
+    glass.key(pygame.K_l, "l")
+    glass.wait(1)
+    pile = glass.parts.plots.measurements.pile
+    ((room, spans),) = [(rect, how[0]) for stroke, rect, *how in glass.drawn() if stroke is charts.hill]
+    there = np.flatnonzero(pile.heights)
+    low = (pile.surface - pile.heights)[there].min()
+    wide = spans[-1][0] - spans[0][0] + 1
+    cell = wide / (there[-1] - there[0] + 1)  # pixels
+    assert spans[0][0] >= 0 and spans[-1][0] < room.width
+    for x, top, bottom in spans:
+        column = there[0] + min(int((x - spans[0][0]) / cell), len(there) - 1)
+        ground, edge = pile.surface[column] - pile.heights[column] - low, pile.surface[column] - low
+        near = max(abs(int(pile.surface[column]) - int(other)) for other in pile.surface[column - 1 : column + 2])
+        assert abs(room.height - top - edge * cell) <= cell * (near + 1) + 2
+        assert abs(room.height - bottom - ground * cell) <= 3 * cell + 2
+        assert 0 <= top < bottom <= room.height

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from game import Rule, World, advance, load_scene
-from game.world.sand.measure import MotionMeter, flow, grains_above, pile_heights, slope_degrees
+from game.world.sand.measure import MotionMeter, flow, grains_above, pile, pile_heights, slope_degrees, surface_slope
 
 
 def world_of(*rows):
@@ -102,3 +102,37 @@ def test_another_lattice_is_a_first_look():
     meter = MotionMeter()
     for name in ("hourglass", "paper"):
         assert meter.look(load_scene(name).world()) == (0, 0)
+
+
+@pytest.mark.parametrize("rise", [1, 2, 3])
+@pytest.mark.parametrize("bowl", ["flat", "round", "lopsided"])
+def test_the_slope_is_that_of_the_surface_whatever_the_ground_is(rise, bowl):
+    height, width = 180, 121
+    columns = np.arange(width)
+    away = np.abs(columns - 60)
+    ground = {"flat": 0 * away, "round": away**2 // 120, "lopsided": columns // 3}[bowl]
+    surface = np.maximum(170 - rise * away, 0)
+    rows = height - np.arange(height)[:, None]  # of each cell's upper edge, from below
+    walls, sand = rows <= ground, (rows > ground) & (rows <= surface)
+    found = pile(World.from_cells(sand, walls))
+    there = sand.any(axis=0)
+    assert (found.surface[there] == surface[there]).all() and not found.surface[~there].any()
+    assert found.height == 170 - ground[there].min()
+    slope, error = surface_slope(found.surface)
+    assert slope == pytest.approx(math.degrees(math.atan(rise)), abs=1e-9) and error == pytest.approx(0, abs=1e-9)
+
+
+def test_the_error_of_a_slope_tells_how_far_it_is_from_the_true_one():
+    generator, misses, errors = np.random.default_rng(3), [], []
+    for _ in range(200):
+        away = np.abs(np.arange(161) - 80)
+        rough = np.cumsum(generator.normal(0, 0.5, 161))  # as sand: neighbours hang together
+        slope, error = surface_slope(np.maximum(np.rint(200 - away + rough - rough[80]), 1))
+        misses.append(slope - 45)
+        errors.append(error)
+    assert 0.4 < np.std(misses) / np.mean(errors) < 2
+
+
+@pytest.mark.parametrize("surface", [[0], [0, 0, 9, 0, 0], [5] * 9, [0] * 7])
+def test_what_has_no_flanks_has_no_slope(surface):
+    assert all(math.isnan(each) or each == 0 for each in surface_slope(surface))

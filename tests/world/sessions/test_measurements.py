@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from game import Rule, load_rule, load_scene
-from game.world.sand.measure import grains_above, pile_heights, slope_degrees
+from game.world.sand.measure import grains_above, pile, surface_slope
 from game.world.sand.reaction_counts import coming_reactions
 from game.world.sessions import measurements
 from game.world.sessions.action import Clear, Draw, Flip, Load, Paint, SetRule
@@ -29,10 +29,10 @@ def test_the_rows_of_the_table_are_the_measures(glass):
     for number in range(20):
         session.timeline.run(37)
         one.follow(number / 4, 2.5)
-        above, heights = grains_above(session.world, 40), pile_heights(session.world, 40)
+        above, rests = grains_above(session.world, 40), pile(session.world, 40)
         flow = math.nan if before is None else (before - above) / 37
-        slope = slope_degrees(heights)
-        row = session.now, number / 4, above, session.world.grains - above, flow, heights.max(), slope, 2.5
+        slope = surface_slope(rests.surface)
+        row = session.now, number / 4, above, session.world.grains - above, flow, rests.height, *slope, 2.5
         expected.append((*row, *session.world.amounts))
         before = above
     found = list(csv.reader(io.StringIO(measurements.csv(one.columns, one.rows()).decode(), newline="")))
