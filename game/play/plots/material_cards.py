@@ -53,7 +53,7 @@ def books_card(theme, rect, account, amounts, books):
     """Return the strokes of the card of the sums that no event may change, or only some; books: Books of a rule."""
     lines = [(each, *_sum(account, each.codes), sum(amounts[code] for code in each.codes)) for each in books]
     lines = [line for line in lines if any(line[1:])] or lines  # of what is there and was
-    right = all(start + came - gone == now for book, start, came, gone, now in lines if not book.but)
+    right = all(start + came - gone + other == now for book, start, came, gone, other, now in lines if not book.but)
     strokes, room = charts.card(theme, rect, "Conserved", BOOKS if right and lines else "" if right else "not kept")
     high = theme.line_height(look.SMALL)
     if not lines:
@@ -63,8 +63,8 @@ def books_card(theme, rect, account, amounts, books):
             for number, text in enumerate(lines_of_text)
         ]
     top = room.y
-    for book, start, came, gone, now in lines:
-        words, spelt = _words(theme, book, room.width), _spelt(start, came, gone, now, book.but)
+    for book, *numbers in lines:
+        words, spelt = _words(theme, book, room.width), _spelt(*numbers, book.but)
         if theme.width(spelt, look.SMALL) > room.width:
             spelt = spelt.replace(" + 0 ", " ").replace(" – 0 ", " ")
         one = theme.width(f"{words}  {spelt}", look.SMALL) <= room.width
@@ -85,20 +85,28 @@ def _words(theme, book, width):
     return full if theme.width(full, look.SMALL) <= width else f"{book.words}, but {len(book.but)} events"
 
 
-def _spelt(start, came, gone, now, but):
-    """Return a sum in figures: at the start, put in, taken out, what events that may did, and what is there."""
-    kept = start + came - gone
+def _spelt(start, came, gone, other, now, but):
+    """Return a sum in figures: at the start, put in, taken out, what events that may did, and what is there.
+
+    other: what events under other rules before did.
+    """
     spelt = f"{start:,} + {came:,} – {gone:,}"
-    if not but:
-        return f"{spelt} = {kept:,}" + ("" if kept == now else f", but {now:,} are there")
-    return f"{spelt} {'–' if now < kept else '+'} {abs(now - kept):,} by events = {now:,}"
+    by_events = now - (start + came - gone) if but else other
+    if but or other:
+        spelt += f" {'–' if by_events < 0 else '+'} {abs(by_events):,} by events"
+    kept = start + came - gone + by_events
+    return f"{spelt} = {kept:,}" + ("" if kept == now else f", but {now:,} are there")
 
 
 def _sum(account, codes):
-    """Return how much of some materials there was at the start, has been put in, and has been taken out."""
+    """Return how much of some materials there was at the start, has been put in, and has been taken out.
+
+    Then how much events under other rules before made of them, on balance.
+    """
     tallies = (
         (account.start_by_kind,),
         (account.painted_by_kind, account.poured_by_kind),
         (account.erased_by_kind, account.swallowed_by_kind),
+        (account.formed_before_by_kind, [-each for each in account.used_before_by_kind]),
     )
     return tuple(sum(tally[code] for tally in group for code in codes if code < len(tally)) for group in tallies)

@@ -4,7 +4,7 @@ It is kept for each kind of `World.amounts`: for each colour of sand, or for eac
 another kind counts as erased and as painted. A rule may make one material of another, but leaves sums alone: its books.
 """
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, fields, replace
 from itertools import zip_longest
 
 NO_GRAINS = ()  # a tally: numbers of grains of each kind, 0 for those that are left out
@@ -33,6 +33,8 @@ class GrainAccount:
     swallowed_by_kind: tuple = NO_GRAINS  # by drains
     formed_by_kind: tuple = NO_GRAINS  # by the rule's reactions, as far as `met` has seen; on balance
     used_by_kind: tuple = NO_GRAINS
+    formed_before_by_kind: tuple = NO_GRAINS  # of these, what reactions did under the rules before this one
+    used_before_by_kind: tuple = NO_GRAINS
 
     @property
     def start(self):
@@ -130,7 +132,22 @@ class GrainAccount:
         before = self._unreacted()
         left = added(amounts, (-each for each in before.expected_by_kind))
         formed, used = split(0 if kind in alone else each for kind, each in enumerate(left))
-        return replace(before, formed_by_kind=formed, used_by_kind=used)
+        return replace(
+            before,
+            formed_by_kind=added(before.formed_by_kind, formed),
+            used_by_kind=added(before.used_by_kind, used),
+        )
+
+    def ruled(self, kept, numbers, amounts):
+        """Return the account as it goes on under another rule, where so many grains of each kind are there.
+
+        kept: as in `GrainAccount`. numbers: for each kind which one it is under that rule, or None where it is gone.
+        """
+        met = self.met(amounts)
+        tallies = {each.name: _renumbered(getattr(met, each.name), numbers) for each in fields(self)[2:]}
+        tallies["formed_before_by_kind"] = tallies["formed_by_kind"]
+        tallies["used_before_by_kind"] = tallies["used_by_kind"]
+        return GrainAccount(_renumbered(met.start_by_kind, numbers), kept, **tallies)
 
     def balanced(self, world):
         """Return whether `world` holds the grains that it must, in each sum that is kept: none was made or lost."""
@@ -142,5 +159,15 @@ class GrainAccount:
         return all(sum(gone[kind] for kind in kinds) == 0 for kinds in self.kept)
 
     def _unreacted(self):
-        """Return the account without what reactions have formed and used."""
-        return replace(self, formed_by_kind=NO_GRAINS, used_by_kind=NO_GRAINS)
+        """Return the account without what the reactions of this rule have formed and used."""
+        return replace(self, formed_by_kind=self.formed_before_by_kind, used_by_kind=self.used_before_by_kind)
+
+
+def _renumbered(tally, numbers):
+    """Return a tally by other kinds: for each of its own the number of the one that it is, or None."""
+    kinds = [None if kind >= len(numbers) else numbers[kind] for kind in range(len(tally))]
+    found = [0] * (1 + max((kind for kind in kinds if kind is not None), default=-1))
+    for kind, grains in zip(kinds, tally, strict=True):
+        if kind is not None:
+            found[kind] += grains
+    return tuple(found)

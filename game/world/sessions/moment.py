@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from game.world.rules.rule import Rule
 from game.world.sand.advance import NO_TRAFFIC, advance
 from game.world.sand.grain_account import GrainAccount
-from game.world.sand.material_codes import SAND
+from game.world.sand.material_codes import SAND, SAND_NAME
 from game.world.sand.patch import alike
 from game.world.sand.sand_colours import COLOURS
 from game.world.sand.world import World
@@ -78,7 +78,8 @@ class Moment:
             scene = self.scene if action.scene.is_like(self.scene) else action.scene
             return scene, account_of(outcome.world, outcome.rule)
         if outcome.rule.definition.source != self.rule.definition.source:
-            return self.scene, account_of(outcome.world, outcome.rule)
+            numbers = _kinds_under(outcome.rule.codes, self.world.codes)
+            return self.scene, self.account.ruled(_kept_by(outcome.rule), numbers, self.world.amounts)
         scene = self.scene
         if isinstance(action, Reshape) and action.glass != scene.glass:
             scene = scene_of(action.glass, self.rule, scene.speed)
@@ -87,10 +88,25 @@ class Moment:
 
 def account_of(world, rule):
     """Return the GrainAccount of a world from now on: what the rule's books say is kept, of sand each colour."""
+    return GrainAccount(world.amounts, _kept_by(rule))
+
+
+def _kept_by(rule):
+    """Return the kinds that each sum has which a rule keeps."""
     kinds = rule.definition.kept
     if rule.codes.is_sand:
-        kinds = tuple((kind,) for kind in range(len(COLOURS))) if (SAND,) in kinds else ()
-    return GrainAccount(world.amounts, kinds)
+        return tuple((kind,) for kind in range(len(COLOURS))) if (SAND,) in kinds else ()
+    return kinds
+
+
+def _kinds_under(codes, before):
+    """Return which kind each one of a world with the MaterialCodes `before` is in one with others; None for none."""
+    names = (SAND_NAME,) * len(COLOURS) if before.is_sand else before.names
+    if codes == before:
+        return tuple(range(len(names)))
+    if codes.is_sand:
+        return tuple(0 if name == SAND_NAME else None for name in names)
+    return tuple(codes.code(name) for name in names)
 
 
 class Lookahead:
