@@ -129,7 +129,7 @@ class App:
             display.page,
             session,
             self.parts.frame_step.passing(now_s),
-            self._marks(display.sand_view.view),
+            self.parts.ruler.marks(display.sand_view.view) + self._marks(display.sand_view.view),
             tuple(each for each in self.parts.overlays if each.shown),
             strips,
             self.parts.plots,

@@ -13,6 +13,7 @@ from game.play.controls.keyboard_cursor import KeyboardCursor
 from game.play.controls.piece_commands import PieceCommands
 from game.play.controls.pointer import Pointer
 from game.play.controls.rewind import Rewind
+from game.play.controls.ruler import Ruler
 from game.play.controls.stage import Stage
 from game.play.controls.stamp_preview import StampPreview
 from game.play.controls.time_bar import TimeBar
@@ -101,6 +102,7 @@ class Parts:
         self.status_line = StatusLine(self.frame_stats)
         self.stats_card = StatsCard(self.sessions, self.display, self.frame_stats)
         self.block_overlay = BlockOverlay(self.sessions, self.display, self.notices)
+        self.ruler = Ruler(self.brush, self.display)
         self.block_card = BlockCard(self.block_overlay, self.display, self.pointer)
         self.forecasting = Forecasting(self.sessions, self.display, self.pointer)
         self.density = Density(self.sessions, self.display, self.notices)
@@ -182,11 +184,11 @@ class Parts:
         self.frame_step = FrameStep(sessions, display, self.settings, self.time_bar, self.rewind, pacers)
         self.renderer = Renderer(display)
         self.cards = self.canvas_card, self.photo_import, self.dialog  # the first lies on top
-        self.overlays = [self.glow, self.block_card, *self.cards[::-1]]
+        self.overlays = [self.glow, self.block_card, self.ruler, *self.cards[::-1]]
         hints = Hints(self.settings, sessions, display, notices)
         self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss, hints]
         self.watchers += [self.forecasting, self.density, self.plots, self.fast_forward, self.timer, self.glow]
-        self.watchers += [self.rule_change, self.rule_files, self.block_card, self.window_glass]
+        self.watchers += [self.rule_change, self.rule_files, self.block_card, self.ruler, self.window_glass]
 
     def _sections(self):
         """Return the sections of the panel by the names of its tabs, from top to bottom."""
@@ -202,7 +204,7 @@ class Parts:
                 RecordingSection(sessions, self.recorder, self.files, self.settings, commands.time),
             ],
             "Measure": [
-                ShowSection(sessions, self.forecasting, self.plots, self.stats_card, commands.view),
+                ShowSection(sessions, self.brush, self.forecasting, self.plots, self.stats_card, commands.view),
                 CompareSection(self.comparing, self.rule_files, self.differences, self.density, commands),
             ],
             "View": [WindowSection(self.settings, self.hiss, self.stage, commands.view)],

@@ -6,6 +6,7 @@ import pygame
 
 from game.play.controls.fixture_tool import FixtureTool, fresh
 from game.play.controls.gestures import Press, Span, Trail
+from game.play.controls.ruler import RulerTool
 from game.play.controls.selection import Selection, SelectTool, StampTool
 from game.play.ui import theme as look
 from game.play.view.outlines import box_outline, brush_outline, mark
@@ -38,6 +39,7 @@ TOOLS = {  # the gesture that each makes
     "drain": FixtureTool,
     "select": SelectTool,
     "stamp": StampTool,
+    "ruler": RulerTool,
 }
 ONE_CELL = (
     "rectangle",
@@ -46,8 +48,9 @@ ONE_CELL = (
     "pick",
     "select",
     "stamp",
+    "ruler",
 )  # tools that aim at a cell, however large the brush
-NOT_ERASING = ("pick", "tap", "drain", "select", "stamp")  # tools in whose place the brush erases
+NOT_ERASING = ("pick", "tap", "drain", "select", "stamp", "ruler")  # tools in whose place the brush erases
 SIZES = (1, 2, 3, 5, 8, 13, 21, 34, 55)  # diameters that the number keys give, in cells
 LEFT, RIGHT = 1, 3
 
@@ -77,6 +80,7 @@ class Brush:
         self._erasing = False  # the gesture erases whatever the material
         self._at = None  # where the gesture has come to, and whether it goes straight
         self._before_pick = "brush"
+        self.ruled = None  # two places (column, row): where the ruler lies
         self._sprays = 0
 
     @property

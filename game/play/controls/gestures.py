@@ -13,6 +13,14 @@ from game.world.sessions.action import EMPTY_CELLS, Draw, Fill, Paint, box, cell
 STEP = math.pi / 4  # a line that is held straight goes in steps of this angle
 
 
+def straightened(start, place):
+    """Return the place nearest to another to which a line from `start` goes in steps of 45 degrees."""
+    away = place[0] - start[0], place[1] - start[1]
+    angle = round(math.atan2(away[1], away[0]) / STEP) * STEP
+    length = away[0] * math.cos(angle) + away[1] * math.sin(angle)
+    return start[0] + length * math.cos(angle), start[1] + length * math.sin(angle)
+
+
 class Trail:
     """Paints where it goes and where it rests; as a spray, or only on what it began on."""
 
@@ -69,11 +77,9 @@ class Span:
 
     def _straightened(self, place):
         """Return the nearest place that makes a line go in steps of 45 degrees, or the sides of a figure alike."""
-        away = place[0] - self._start[0], place[1] - self._start[1]
         if self._figure == "line":
-            angle = round(math.atan2(away[1], away[0]) / STEP) * STEP
-            length = away[0] * math.cos(angle) + away[1] * math.sin(angle)
-            return self._start[0] + length * math.cos(angle), self._start[1] + length * math.sin(angle)
+            return straightened(self._start, place)
+        away = place[0] - self._start[0], place[1] - self._start[1]
         side = max(abs(part) for part in away)
         return tuple(start + math.copysign(side, part) for start, part in zip(self._start, away, strict=True))
 

@@ -68,6 +68,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("", (pygame.K_i,), "sand.tool pick", ""),
         Key("J Z", (pygame.K_j,), "sand.tool tap", "tap, drain"),
         Key("", (pygame.K_z,), "sand.tool drain", ""),
+        Key("Shift+M", (pygame.K_m,), "sand.tool ruler", "ruler: angle and distance", SHIFT),
         Key("K", (pygame.K_k,), "view.toggle_cursor", "keyboard cursor"),
     ),
     "Pieces": (

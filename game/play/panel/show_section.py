@@ -2,14 +2,16 @@
 
 from dataclasses import replace
 
+from game.play.controls.ruler import TOOL
 from game.world.sand import parameters
 
 
 class ShowSection:
     """The switches, and what only an instrument that is shown needs."""
 
-    def __init__(self, sessions, forecasting, plots, stats_card, commands):
-        self._sessions, self._forecasting, self._plots = sessions, forecasting, plots
+    def __init__(self, sessions, brush, forecasting, plots, stats_card, commands):
+        self._sessions, self._brush = sessions, brush
+        self._forecasting, self._plots = forecasting, plots
         self._stats_card, self._commands = stats_card, commands
 
     def lay_out(self, ui):
@@ -17,6 +19,10 @@ class ShowSection:
         ui.heading("Measure")
         self._lay_out_forecast(ui)
         self._lay_out_plots(ui)
+        ruled = self._brush.tool == TOOL
+        tip = "Measures angle and distance between two places: drag from one to the other  (Shift+M)"
+        if ui.toggle("Ruler", ruled, tip=tip) != ruled:
+            self._brush.choose("brush" if ruled else TOOL)
         tip = (
             "Shows frame times, the iteration, the account of the grains and memory; so does pointing at the line below"
         )

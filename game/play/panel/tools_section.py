@@ -1,11 +1,10 @@
 """The panel's section of tools: what the pointer does to the sand, and with what."""
 
-from game.play.controls.brush import TOOLS
 from game.world.sand import parameters
 from game.world.sand.sand_colours import COLOURS, DYES
 from game.world.sessions.action import SHAPES
 
-TIPS = {  # what each tool does
+TIPS = {  # what each tool does that changes the sand
     "brush": "Paints where the pointer goes, and keeps pouring where it rests  (D)",
     "line": "Draws a straight line, as thick as the brush; with Shift in steps of 45°  (N)",
     "rectangle": "Draws a rectangle from corner to corner; with Shift a square  (U)",
@@ -88,11 +87,12 @@ class ToolsSection:
 
 
 def _show_tools(ui, brush):
-    tools = tuple(TOOLS)
+    tools = tuple(TIPS)
     labels = [SHORT.get(tool, tool.capitalize()) for tool in tools]
-    chosen = tools[ui.grid("Tool", labels, tools.index(brush.tool), 4, [TIPS[tool] for tool in tools])]
-    if chosen != brush.tool:
-        brush.choose(chosen)
+    now = tools.index(brush.tool) if brush.tool in tools else -1
+    chosen = ui.grid("Tool", labels, now, 4, [TIPS[tool] for tool in tools])
+    if chosen != now:
+        brush.choose(tools[chosen])
 
 
 def _show_colours(ui, brush):

@@ -8,6 +8,7 @@ from game.play.ui.widgets import Ui
 
 GUESS = 120  # height in pixels at scale 1, until the controls have been laid out
 RADIUS = 8
+AWAY, PAD = 18, 8  # pixels at scale 1: of lines from the place that they tell of, and in their card
 
 
 class Card:
@@ -58,3 +59,22 @@ def draw_box(surface, theme, rect):
     draw_list.box(surface, theme, edge, look.EDGE, theme.px(RADIUS))
     draw_list.box(surface, theme, edge.inflate(-2, -2), look.GROUND, theme.px(RADIUS))
     return [edge]
+
+
+def draw_lines_near(surface, theme, area, at, lines):
+    """Draw a card of lines, (text, colour), beside a place in `area`; return the rects that it covers."""
+    px, high = theme.px, theme.line_height(look.SMALL)
+    wide = min(max(theme.width(text, look.SMALL) for text, _ in lines), area.width - 4 * px(PAD))
+    rect = pygame.Rect(0, 0, wide + 2 * px(PAD), len(lines) * high + px(PAD))
+    x, y = at
+    rect.topleft = x + px(AWAY), y + px(AWAY)
+    if rect.right > area.right - px(PAD):
+        rect.right = x - px(AWAY)
+    if rect.bottom > area.bottom - px(PAD):
+        rect.bottom = y - px(AWAY)
+    rect.clamp_ip(area.inflate(-2 * px(PAD), -2 * px(PAD)))
+    covered = draw_box(surface, theme, rect)
+    for number, (text, colour) in enumerate(lines):
+        row = (rect.x + px(PAD), rect.y + px(PAD) // 2 + number * high, wide, high)
+        draw_list.words(surface, theme, row, text, look.SMALL, colour, 0)
+    return covered

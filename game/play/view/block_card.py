@@ -2,13 +2,8 @@
 
 import math
 
-import pygame
-
-from game.play.ui import draw_list
 from game.play.ui import theme as look
-from game.play.ui.card import draw_box
-
-AWAY, PAD = 18, 8  # pixels at scale 1: from the pointer, and in the card
+from game.play.ui.card import draw_lines_near
 
 
 class BlockCard:
@@ -44,18 +39,4 @@ class BlockCard:
 
     def draw(self, surface, theme, area):
         """Draw the card; return the rects that it covers."""
-        px, high = theme.px, theme.line_height(look.SMALL)
-        wide = min(max(theme.width(text, look.SMALL) for text, _ in self.lines), area.width - 4 * px(PAD))
-        rect = pygame.Rect(0, 0, wide + 2 * px(PAD), len(self.lines) * high + px(PAD))
-        x, y = self._at
-        rect.topleft = x + px(AWAY), y + px(AWAY)
-        if rect.right > area.right - px(PAD):
-            rect.right = x - px(AWAY)
-        if rect.bottom > area.bottom - px(PAD):
-            rect.bottom = y - px(AWAY)
-        rect.clamp_ip(area.inflate(-2 * px(PAD), -2 * px(PAD)))
-        covered = draw_box(surface, theme, rect)
-        for number, (text, colour) in enumerate(self.lines):
-            row = (rect.x + px(PAD), rect.y + px(PAD) // 2 + number * high, wide, high)
-            draw_list.words(surface, theme, row, text, look.SMALL, colour, 0)
-        return covered
+        return draw_lines_near(surface, theme, area, self._at, self.lines)
