@@ -50,8 +50,8 @@ class Ruler:
         if not self.shown:
             return ()
         start, end = (tuple(map(round, view.pixel(*place))) for place in self._brush.ruled)
-        level = Mark((start, (end[0], start[1])), look.RING, closed=False)
-        return level, Mark((start, end), look.BRIGHT_ACCENT, closed=False)
+        level = Mark((start, (end[0], start[1])), look.TEXT, closed=False)
+        return level, Mark((start, end), look.RING, closed=False)
 
     def update(self, now_s):
         """Have the card drawn anew where it says or stands otherwise."""

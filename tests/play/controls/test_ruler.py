@@ -86,10 +86,10 @@ def test_in_a_comparison_it_lies_on_every_world():
     player.wait(1)
     player.drag(player.pixel(10, 10), player.pixel(30, 10))
     player.wait(1)
-    surface, view, accent = player.parts.window.surface, player.parts.display.sand_view, (0, 0)
-    accent = player.parts.display.theme.rgb("bright accent")
+    surface, view = player.parts.window.surface, player.parts.display.sand_view
+    colour = player.parts.display.theme.rgb("ring")
     x, y = (round(part) for part in view.view.pixel(12, player.parts.brush.ruled[0][1]))
     seen = [surface.get_at((x + pane.x - view.area.x, y + pane.y - view.area.y))[:3] for pane in view.panes]
-    assert seen == [accent] * 4
+    assert seen == [colour] * 4
     player.parts.close()
     pygame.display.quit()
