@@ -40,12 +40,14 @@ from game.play.storage.comparison_files import ComparisonFiles
 from game.play.storage.crash_recovery import CrashRecovery
 from game.play.storage.files import Files
 from game.play.storage.journals import Journals
+from game.play.storage.name_card import NameCard
 from game.play.storage.open_sessions import Sessions
 from game.play.storage.photo_import import PhotoImport
 from game.play.storage.recorder import Recorder
 from game.play.storage.rule_change import RuleChange
 from game.play.storage.rule_files import RuleFiles
 from game.play.storage.settings_saver import SettingsSaver
+from game.play.storage.stamps import Stamps
 from game.play.storage.window_glass import WindowGlass
 from game.play.timer.chime import Chime
 from game.play.timer.glow import Glow
@@ -112,9 +114,12 @@ class Parts:
         self.photo_import = PhotoImport(self.sessions, self.display)
         self.rule_change = RuleChange(self.sessions, self.background)
         self.rule_files = RuleFiles(self.sessions, self.rule_change, self.background, self.notices)
+        self.name_card = NameCard(self.display)
         self.files = Files(
-            self.sessions, self.journals, self.photo_import, self.rule_files, self.background, self.notices
+            *(self.sessions, self.journals, self.photo_import, self.rule_files, self.name_card),
+            *(self.background, self.notices),
         )
+        self.stamps = Stamps(self.brush, self.photo_import, self.name_card, self.background, self.notices)
         self.canvas_card = CanvasCard(self.sessions, self.display, self.files, self.rule_files, self.notices)
         self.recorder = Recorder(self.sessions, self.display, self.settings, self.background, self.notices)
         self.comparison_files = ComparisonFiles(self.sessions, self.display, self.plots, self.background, self.notices)
@@ -122,7 +127,7 @@ class Parts:
         self.settings_saver = SettingsSaver(
             self.settings, self.sessions, self.brush, self.window, self.background, self.notices
         )
-        self.gallery = GalleryPage(self.display, self.sessions, self.files, self.background, self.notices)
+        self.gallery = GalleryPage(self.display, self.sessions, self.files, self.stamps, self.background, self.notices)
         self.help = HelpPage(self.display)
         self.material_page = MaterialPage(self.display, self.sessions, self.brush)
         self.display.pages = self.help, self.gallery, self.material_page
@@ -165,7 +170,7 @@ class Parts:
                 *(sessions, self.files, self.gallery, self.recorder, self.plots, self.comparison_files),
                 self.canvas_card,
             ),
-            PieceCommands(sessions, notices, brush),
+            PieceCommands(sessions, notices, brush, self.stamps),
         )
         self.panel.hold(self._sections())
         first = self.rewind, self.camera, self.fast_forward
@@ -183,7 +188,7 @@ class Parts:
         pacers = self.fast_forward, self.timer
         self.frame_step = FrameStep(sessions, display, self.settings, self.time_bar, self.rewind, pacers)
         self.renderer = Renderer(display)
-        self.cards = self.canvas_card, self.photo_import, self.dialog  # the first lies on top
+        self.cards = self.name_card, self.canvas_card, self.photo_import, self.dialog  # the first lies on top
         self.overlays = [self.glow, self.block_card, self.ruler, *self.cards[::-1]]
         hints = Hints(self.settings, sessions, display, notices)
         self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss, hints]
@@ -195,7 +200,7 @@ class Parts:
         sessions, commands = self.sessions, self.commands
         return {
             "Scene": [SceneSection(sessions, commands.files)],
-            "Tools": [ToolsSection(self.brush, self.material_page, commands.piece)],
+            "Tools": [ToolsSection(self.brush, self.material_page, commands.piece, commands.files.open_stamps)],
             "Rule": [RulesSection(sessions, self.rule_change, self.rule_files, self.brush)],
             "Time": [TimeSection(sessions, commands.time, commands.sand, self.fast_forward)],
             "More": [

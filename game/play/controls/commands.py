@@ -29,6 +29,10 @@ class FileCommands:
         """Ask how large the canvas is to become."""
         self._canvas_card.ask_size()
 
+    def save_replay(self):
+        """Save the session as a replay."""
+        self._files.save_replay()
+
     def open_shipped(self, name):
         """Put a shipped scene in place of this one."""
         self._files.open_shipped(name)
@@ -47,6 +51,10 @@ class FileCommands:
     def open_scenes(self):
         """Show the saved scenes, or close their page."""
         self._gallery.toggle(1)
+
+    def open_stamps(self):
+        """Show the stamps that were kept, or close their page."""
+        self._gallery.toggle(2)
 
     def shoot_window(self):
         """Take a picture of the window."""

@@ -79,6 +79,8 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("Ctrl+V", (pygame.K_v,), "piece.paste", "take what was copied in hand", CTRL),
         Key("Shift+X, Shift+E", (pygame.K_x,), "piece.mirror", "mirror, turn it", SHIFT),
         Key("", (pygame.K_e,), "piece.turn", "", SHIFT),
+        Key("Ctrl+K, F3", (pygame.K_k,), "piece.keep", "keep it as a stamp; all stamps", CTRL),
+        Key("", (pygame.K_F3,), "files.open_stamps", ""),
         Key("Del", (pygame.K_DELETE,), "piece.erase", "erase what is selected"),
     ),
     "Brush": (
@@ -115,6 +117,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("Ctrl+N R", (pygame.K_n,), "files.new_canvas", "new canvas; another size for it", CTRL),
         Key("", (pygame.K_r,), "files.resize_canvas", "", CTRL),
         Key("Ctrl+S", (pygame.K_s,), "files.save", "save the scene", CTRL),
+        Key("Ctrl+Shift+S", (pygame.K_s,), "files.save_replay", "save the session as a replay", CTRL | SHIFT),
         Key("Ctrl+O", (pygame.K_o,), "files.open_scenes", "open a saved scene", CTRL),
         Key("F12", (pygame.K_F12,), "files.shoot_window", "picture of the window"),
         Key("Shift+F12", (pygame.K_F12,), "files.shoot_sand", "picture of the sand", SHIFT),

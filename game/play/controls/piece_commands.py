@@ -8,8 +8,8 @@ HOW = "Select a piece first: {}, then drag."
 class PieceCommands:
     """The keys and buttons of the selection and the stamp in hand."""
 
-    def __init__(self, sessions, notices, brush):
-        self._sessions, self._notices, self._brush = sessions, notices, brush
+    def __init__(self, sessions, notices, brush, stamps):
+        self._sessions, self._notices, self._brush, self._stamps = sessions, notices, brush, stamps
         self._selection = brush.selection
 
     def select(self):
@@ -38,6 +38,14 @@ class PieceCommands:
             self._brush.choose("stamp")
         else:
             self._notices.say("Nothing is copied yet. " + HOW.format(key_name("Shift+S")))
+
+    def keep(self):
+        """Keep what is selected, or the stamp in hand, among the player's stamps."""
+        if self._brush.tool == "stamp" and self._selection.copied:
+            self._stamps.keep()
+        elif self._has_piece():
+            self._selection.copy()
+            self._stamps.keep()
 
     def mirror(self):
         """Exchange left and right, of the stamp in hand or of what is selected."""

@@ -49,7 +49,11 @@ class Selection:
         session = self._sessions.now
         self.copied = Copied(cut_out(session.world, self.box), session.rule)
 
-    def holds(self, place):
+    def hold(self, stamp, rule):
+        """Copy a stamp that was cut out of a world of a rule."""
+        self.copied = Copied(stamp, rule)
+
+    def covers(self, place):
         """Return whether a place is in what is selected."""
         column, row = cell(place)
         left, top, right, bottom = self.box or (0, 0, 0, 0)
@@ -86,7 +90,7 @@ class SelectTool:
 
     def __init__(self, brush, place, _world):
         self._selection, self._start, self._end = brush.selection, place, place
-        self._carries = self._selection.holds(place)
+        self._carries = self._selection.covers(place)
 
     def go(self, place, _straight):
         """Stretch the rectangle to a place, or carry what is selected there."""

@@ -1,13 +1,15 @@
-"""The gallery: a page of scenes as pictures, one shelf of shipped scenes that run and one of saved scenes."""
+"""The gallery: a page of pictures, a shelf of shipped scenes that run, and one for each kind of the player's files."""
 
 import pygame
 
 from game.play.controls import keymap
-from game.play.pages.saved_scenes import SavedScenes
+from game.play.pages.file_shelf import BY_AGE, BY_NAME, REPLAYS, SCENES, STAMPS, FileShelf
 from game.play.pages.shipped_scenes import ShippedScenes
 from game.play.ui import draw_list
 from game.play.ui import theme as look
+from game.play.ui.input import key_name
 from game.play.ui.scroll import thumb
+from game.play.ui.text_line import TYPING_KEYS, TextLine, types
 
 PAD = 20  # pixels at scale 1: around the page
 GAP = 10
@@ -16,11 +18,12 @@ NAME = 24  # height of a name under its picture
 NARROWEST = 132  # tile; what does not fit then is scrolled to
 LEAST = 6  # tiles that a page has room for: fewer are no larger
 PICTURE = 0.72  # height of a picture, as a share of its width
+PILL = 8  # from the edge of what can be clicked to its words
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 ENTERS = pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE
 GOES_ON = {
     *("view.toggle_help", "view.toggle_fullscreen", "view.toggle_sound"),
-    *("files.show_scenes", "files.open_scenes", "files.shoot_window"),
+    *("files.show_scenes", "files.open_scenes", "files.open_stamps", "files.shoot_window"),
 }
 POINTING = pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION, pygame.MOUSEWHEEL
 
@@ -28,13 +31,15 @@ POINTING = pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION, pyg
 class GalleryPage:
     """The page, which fills the window while it is open."""
 
-    def __init__(self, display, sessions, files, background, notices):
-        self._display = display
+    def __init__(self, display, sessions, files, stamps, background, notices):
+        self._display, self._notices = display, notices
         self.shown = False
         shipped = ShippedScenes(sessions, display, background, is_open=lambda: self.shown)
-        self.shelves = shipped, SavedScenes(files, background, notices)
+        kinds = (SCENES, files.open), (STAMPS, stamps.take), (REPLAYS, files.open)
+        self.shelves = shipped, *(FileShelf(*kind, display, background, notices) for kind in kinds)
         self.shelf = self.shelves[0]
         self.chosen = 0
+        self._typing = None  # the TextLine of the name that is being changed
         self._top = 0  # the first row that shows
         self._drawn = None  # what the page looks like but for its pictures
         self._now_s = 0.0
@@ -48,6 +53,7 @@ class GalleryPage:
 
     def close(self):
         """Close the gallery."""
+        self._end_typing(True)
         self.shown = False
         self._display.lay_out_anew()
 
@@ -86,6 +92,34 @@ class GalleryPage:
             x += theme.width(shelf.title, look.HEADING) + 2 * theme.px(GAP)
         return pygame.Rect(x, 0, theme.width(self.shelves[number].title, look.HEADING), theme.px(HEAD))
 
+    @property
+    def actions(self):
+        """What can be done with the chosen file and its shelf, by keys and clicks: [(words, key's name, key, act)]."""
+        shelf = self.shelf
+        if not shelf.lets_go:
+            return []
+        found = []
+        if len(shelf):
+            other = BY_NAME if shelf.order == BY_AGE else BY_AGE
+            found.append(("Rename", "R", pygame.K_r, self._begin_typing))
+            found.append(("Delete", "Del", pygame.K_DELETE, self._put_away))
+            found.append((other, "S", pygame.K_s, self._sort))
+        if shelf.can_take_back:
+            found.append(("Undo", key_name("Ctrl+Z"), pygame.K_z, self._take_back))
+        return found
+
+    def action(self, words):
+        """Return the rect in the window of what can be done, by its words; None if it cannot."""
+        return {told: rect for rect, (told, *_) in self._action_rects()}.get(words)
+
+    def _action_rects(self):
+        """Yield (rect, action), from the right to the left of the head."""
+        theme, right = self._display.theme, self._page().right
+        for each in reversed(self.actions):
+            wide = theme.width(f"{each[0]}  {each[1]}", look.SMALL) + 2 * theme.px(PILL)
+            yield pygame.Rect(right - wide, theme.px(GAP), wide, theme.px(HEAD) - 2 * theme.px(GAP)), each
+            right -= wide + theme.px(GAP)
+
     # --- what it looks like ---
 
     def _strokes(self, surface, tiles):
@@ -96,6 +130,11 @@ class GalleryPage:
             colour = look.HANDLE if each is shelf else look.FAINT
             strokes.append((draw_list.words, self.tab(number), each.title, look.HEADING, colour, 0))
         strokes.append((draw_list.words, self._hint(head), self._said(), look.SMALL, look.FAINT, 1))
+        for rect, (words, key, *_) in self._action_rects():
+            inner = rect.inflate(-2 * theme.px(PILL), 0)
+            strokes.append((draw_list.box, rect, look.RAISED, theme.px(4)))
+            strokes.append((draw_list.words, inner, words, look.SMALL, look.TEXT, 0))
+            strokes.append((draw_list.words, inner, key, look.SMALL, look.FAINT, 1))
         for number, rect in tiles:
             strokes += self._tile_strokes(number, rect)
         return [*strokes, *self._empty(), *self._thumb(), *self._about()]
@@ -117,15 +156,16 @@ class GalleryPage:
 
     def _hint(self, head):
         """Return what of the head is free for the hint."""
-        tabs = self.tab(len(self.shelves) - 1).right + self._display.theme.px(GAP)
-        return pygame.Rect(tabs, head.y, head.right - tabs, head.height)
+        gap = self._display.theme.px(GAP)
+        tabs = self.tab(len(self.shelves) - 1).right + gap
+        right = min((rect.x - gap for rect, _ in self._action_rects()), default=head.right)
+        return pygame.Rect(tabs, head.y, max(0, right - tabs), head.height)
 
     def _said(self):
         """Return the hint that there is room for."""
         room = self._hint(pygame.Rect(self._page().x, 0, self._page().width, 1)).width
-        away = "Del puts away    " if self.shelf.lets_go and len(self.shelf) else ""
-        long = f"Arrows choose    Enter opens    {away}Tab: next shelf    Esc closes"
-        hints = long, f"Enter opens    {away}Esc closes", "Enter opens    Esc closes", ""
+        long = "Arrows choose    Enter opens    Tab: next shelf    Esc closes"
+        hints = long, "Enter opens    Tab: next shelf    Esc closes", "Enter opens    Esc closes", "Esc closes", ""
         return next(each for each in hints if self._display.theme.width(each, look.SMALL) <= room)
 
     def _tile_strokes(self, number, rect):
@@ -137,13 +177,16 @@ class GalleryPage:
             strokes.append((draw_list.words, self._picture_rect(rect), self.shelf.waiting, look.SMALL, look.FAINT, 0.5))
         words = pygame.Rect(rect.x + px(8), rect.bottom - px(NAME), rect.width - 2 * px(8), px(NAME))
         name, colour = self.shelf.name(number), look.TEXT if chosen else look.DIM
+        if chosen and self._typing:
+            strokes.append((draw_list.box, words.inflate(0, -px(2)), look.SUNKEN, px(4)))
+            name, colour = self._typing.text + "|", look.DIM if self._typing.fresh else look.HANDLE
         return [*strokes, (draw_list.words, words, name, look.SMALL, colour, 0.5)]
 
     def _about(self):
         """Return the strokes of the sentence on the chosen scene."""
         theme, page = self._display.theme, self._page()
         line = theme.line_height(look.SMALL)
-        text = self.shelf.about(self.chosen) if len(self.shelf) else ""
+        text = self._notices.text or (self.shelf.about(self.chosen) if len(self.shelf) else "")
         foot = pygame.Rect(page.x, page.bottom, page.width, line)
         lines = theme.lines(text, look.SMALL, page.width)
         return [
@@ -169,7 +212,13 @@ class GalleryPage:
 
     def _key(self, event):
         """Handle a key; return False for those of commands that do not touch the sand."""
-        if event.key in ARROWS and not event.mod & keymap.CTRL:
+        if self._typing:
+            return self._type(event)
+        ctrl = bool(event.mod & keymap.CTRL)
+        act = next((act for _, name, key, act in self.actions if key == event.key and ("+" in name) == ctrl), None)
+        if act:
+            act()
+        elif event.key in ARROWS and not event.mod & keymap.CTRL:
             dx, dy = ARROWS[event.key]
             self._choose(self.chosen + dx + dy * self._grid()[0])
         elif event.key in ENTERS:
@@ -178,25 +227,65 @@ class GalleryPage:
             self._choose(0 if event.key == pygame.K_HOME else len(self.shelf) - 1)
         elif event.key == pygame.K_TAB:
             self._look_at(self.shelves[(self.shelves.index(self.shelf) + 1) % len(self.shelves)])
-        elif event.key == pygame.K_DELETE and self.shelf.lets_go and len(self.shelf):
-            self.shelf.put_away(self.chosen)
-            self._choose(min(self.chosen, len(self.shelf) - 1))
-            self.forget()
         elif event.key == pygame.K_ESCAPE:
             self.close()
         else:
             return keymap.command(event) not in GOES_ON
         return True
 
+    def _type(self, event):
+        """Type a name; return False for what is none of its keys."""
+        if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_ESCAPE):
+            self._end_typing(event.key == pygame.K_ESCAPE)
+        elif event.key in TYPING_KEYS or (types(event.unicode) and not event.mod & keymap.CTRL):
+            self._typing = self._typing.typed(event.key, event.unicode)
+        return True
+
+    def _begin_typing(self):
+        self._typing = TextLine(self.shelf.name(self.chosen))
+
+    def _end_typing(self, forgets):
+        """Call the chosen file what has been typed, or leave it as it was."""
+        typed, self._typing = self._typing, None
+        if typed and not forgets:
+            self.chosen = self.shelf.rename(self.chosen, typed.text.strip())
+            self._choose(self.chosen)
+            self.forget()
+
+    def _put_away(self):
+        self.shelf.put_away(self.chosen)
+        self.chosen = max(0, min(self.chosen, len(self.shelf) - 1))
+        self._choose(self.chosen)
+        self.forget()
+
+    def _sort(self):
+        path = self.shelf.paths[self.chosen]
+        self.shelf.sort()
+        self._choose(self.shelf.paths.index(path) if path in self.shelf.paths else 0)
+        self.forget()
+
+    def _take_back(self):
+        number = self.shelf.take_back()
+        self._choose(self.chosen if number is None else number)
+        self.forget()
+
     def _point(self, event):
         if event.type == pygame.MOUSEWHEEL:
             self._scroll(self._top - (event.y > 0) + (event.y < 0))
             return
+        pressed = event.type == pygame.MOUSEBUTTONDOWN and event.button == 1
         under = next((number for number, rect in self._tiles() if rect.collidepoint(event.pos)), None)
-        if under is not None and event.type != pygame.MOUSEBUTTONUP:
-            self.chosen = under
-        if event.type != pygame.MOUSEBUTTONDOWN or event.button != 1:
+        if self._typing and pressed:
+            self._end_typing(False)
             return
+        if under is not None and event.type != pygame.MOUSEBUTTONUP and not self._typing:
+            self.chosen = under
+        if not pressed:
+            return
+        for rect, (*_, act) in self._action_rects():
+            if rect.collidepoint(event.pos):
+                act()
+                return
         for number, shelf in enumerate(self.shelves):
             if self.tab(number).collidepoint(event.pos):
                 self._look_at(shelf)
@@ -204,6 +293,7 @@ class GalleryPage:
             self._open()
 
     def _look_at(self, shelf):
+        self._typing = None
         self.shelf, self.shown, self.chosen, self._top = shelf, True, 0, 0
         shelf.begin()
         self.chosen = shelf.first

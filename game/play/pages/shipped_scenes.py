@@ -25,6 +25,7 @@ class ShippedScenes:
     waiting = "…"
     empty = ""
     lets_go = False
+    can_take_back = False
 
     def __init__(self, sessions, display, background, is_open):
         """is_open(): whether anyone may look at them; else no more of them are made."""

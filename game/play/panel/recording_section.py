@@ -31,6 +31,9 @@ class RecordingSection:
         if ui.button("Last 10 s", key="Shift+G", tip="Saves the last ten seconds as a film"):
             recorder.record_past()
         self._lay_out_format(ui)
+        tip = "Saves all that you did in this session, to be played again on any machine"
+        if ui.button("Save as replay", key="Ctrl+Shift+S", tip=tip):
+            self._files.save_replay()
         self._lay_out_demos(ui)
         if sessions.can_leave and ui.button("Back to my sand", tip="Leaves this replay and returns to your own sand"):
             sessions.leave()

@@ -25,9 +25,9 @@ SHORT = {"rectangle": "Box"}  # so that four buttons fit a row
 class ToolsSection:
     """The tools and the brush; what is seldom changed of it can be folded away."""
 
-    def __init__(self, brush, material_page, commands):
-        """`commands`: those for pieces."""
-        self._brush, self._page, self._commands = brush, material_page, commands
+    def __init__(self, brush, material_page, commands, show_stamps):
+        """`commands`: those for pieces. `show_stamps()` opens the page of stamps."""
+        self._brush, self._page, self._commands, self._show_stamps = brush, material_page, commands, show_stamps
         self._open = False
 
     def lay_out(self, ui):
@@ -61,6 +61,11 @@ class ToolsSection:
                 commands.cut()
             if ui.button("Erase", key="Del", tip="Erases what is selected", enabled=there):
                 commands.erase()
+        ui.row(2)
+        if ui.button("Keep", key="Ctrl+K", tip="Keeps it as a stamp, with a name, in a folder of yours", enabled=there):
+            commands.keep()
+        if ui.button("Stamps", key="F3", tip="Shows the stamps that you have kept, to take one in hand"):
+            self._show_stamps()
         ui.row(2)
         if ui.button("Mirror", key="Shift+X", tip="Exchanges left and right", enabled=there):
             commands.mirror()

@@ -1,17 +1,19 @@
 """Files: saves the scene, and opens scenes, rules, replays and pictures, also those dropped on the window."""
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from types import SimpleNamespace
+from weakref import WeakKeyDictionary
 
 from game.world.background.rule_warmup import make_ready, make_recording_ready
 from game.world.files.checked_table import as_line
-from game.world.files.paths import asset, save_new
+from game.world.files.paths import asset, folder_of, save_named
 from game.world.rules.rule_text import is_rule
 from game.world.scenes.picture_file import Photo, SeededScene, open_picture, picture_bytes
 from game.world.scenes.scene import Scene, load_scene
 from game.world.sessions import recording as replay
-from game.world.sessions.recording import Recording
+from game.world.sessions.recording import Recording, recording_of, replay_bytes
 from game.world.sessions.session import Session
 
 
@@ -23,22 +25,49 @@ def demos():
 class Files:
     """Saves and opens beside the frames, and says on the screen what came of it."""
 
-    def __init__(self, sessions, journals, photo_import, rule_files, background, notices):
+    def __init__(self, sessions, journals, photo_import, rule_files, name_card, background, notices):
         self._sessions, self._journals, self._photo_import = sessions, journals, photo_import
+        self._name_card = name_card
+        self._names = WeakKeyDictionary()  # {Scene: what it was saved as, or opened from}
         self._rule_files = rule_files
         self._background, self._notices = background, notices
 
     def save(self):
-        """Save the scene as it is now as a picture in the user's folder."""
+        """Save the scene as it is now as a picture in the user's folder, under a name that is asked for once."""
         session = self._sessions.now
         still = SimpleNamespace(
             world=session.world.copy(), scene=session.scene, rule=session.rule, seed=session.seed, clock=session.clock
         )
+        if still.scene in self._names:
+            self._save(still, self._names[still.scene])
+        else:
+            self._name_card.ask("Save this scene", still.scene.title, partial(self._save, still))
+
+    def save_replay(self):
+        """Save the session that is played as a replay in the user's folder, under a name that is asked for."""
+        self._name_card.ask("Save this session as a replay", self._sessions.now.scene.title, self._save_replay)
+
+    def _save(self, still, name):
+        name = self._names[still.scene] = name or still.scene.title
+        still.scene = replace(still.scene, title=name)
 
         def work():
-            return save_new("scenes", still.scene.name, ".png", picture_bytes(still))
+            return save_named("scenes", name, ".png", picture_bytes(still))
 
-        self._background.do(work, lambda path: self._notices.say(f"Saved as {path}"), writes=True)
+        self._background.do(work, self._say_saved, writes=True)
+
+    def _save_replay(self, name):
+        if self._sessions.ready():
+            recording = recording_of(self._sessions.now)
+            name = name or recording.scene.title
+
+            def work():
+                return save_named("replays", name, replay.SUFFIX, replay_bytes(recording))
+
+            self._background.do(work, self._say_saved, writes=True)
+
+    def _say_saved(self, path):
+        self._notices.say(f"Saved as {path}")
 
     def open(self, path):
         """Open a scene, a rule, a replay, a saved scene or any picture."""
@@ -69,6 +98,8 @@ class Files:
 
     def _take(self, found):
         what, name = found
+        if isinstance(what, SeededScene):
+            self._names[what.scene] = name
         if isinstance(what, Path):
             self._rule_files.play(what, f"Plays by {name} from now on. Ctrl+Z takes you back.")
         elif isinstance(what, Recording):
@@ -100,6 +131,8 @@ def read(path):
         found = replay.load_replay(path)
     else:
         found = open_picture(path)
+        if isinstance(found, SeededScene) and path.parent == folder_of("scenes"):
+            found = found._replace(scene=replace(found.scene, title=path.stem))
         if isinstance(found, Photo):
             found.picture(in_colours=True)  # which is slow for the first time, and what is shown first
     scene = found.scene if isinstance(found, SeededScene) else found

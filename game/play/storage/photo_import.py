@@ -2,13 +2,10 @@
 
 from typing import NamedTuple
 
-import numpy as np
 import pygame
 
 from game.play.ui.card import Card
-from game.world.looks import painter
-from game.world.looks.themes import substances_of
-from game.world.looks.view import View
+from game.play.view.scene_picture import sprite_of
 from game.world.sand.material_codes import WALL_NAME
 from game.world.scenes.picture_file import THRESHOLD, PhotoFilling
 
@@ -32,6 +29,7 @@ class PhotoImport:
     def __init__(self, sessions, display):
         self._sessions, self._display = sessions, display
         self._card = self._photo = self._found = self._choice = None
+        self._on_use = None  # called with the Scene that the photo has become, in place of opening it
 
     @property
     def shown(self):
@@ -48,8 +46,9 @@ class PhotoImport:
         if self.shown:
             self.ui.let_go()
 
-    def show(self, photo):
-        """Open the card with a Photo."""
+    def show(self, photo, on_use=None):
+        """Open the card with a Photo; on_use(scene) is called with what it has become, else that is opened."""
+        self._on_use = on_use
         rule = self._sessions.now.rule
         self._photo, filling = photo, None
         if not rule.codes.is_sand:
@@ -104,7 +103,12 @@ class PhotoImport:
 
     def _use(self):
         """Open the photo and close the card, unless the sand cannot give way to it yet."""
-        if self.shown and self._sessions.open_scene(self._found.scene, self._found.seed):
+        if not self.shown:
+            return
+        if self._on_use:
+            self._close()
+            self._on_use(self._found.scene)
+        elif self._sessions.open_scene(self._found.scene, self._found.seed):
             self._close()
 
     def _close(self):
@@ -115,18 +119,5 @@ class PhotoImport:
 def _picture(surface, theme, room, scene):
     """Draw a scene's cells in the middle of a room, as `draw_list` draws."""
     rect = pygame.Rect(room)
-    sprite = _sprite(scene, rect.size, theme.colours)
+    sprite = sprite_of(scene, rect.size, theme.colours)
     surface.blit(sprite, sprite.get_rect(center=rect.center))
-
-
-def _sprite(scene, size, colours):
-    """Return the scene's cells as a surface that fits `size`."""
-    world = scene.world()
-    view = View.fit(scene.shape, 0, 0, *size)
-    pixels = np.zeros((view.top * 2 + view.height, view.left * 2 + view.width), np.uint32)
-    painter.Painter(view, colours, scene.made_of, substances=substances_of(scene.rule.definition.materials)).draw(
-        world, pixels
-    )
-    part = np.ascontiguousarray(pixels[view.top : view.top + view.height, view.left : view.left + view.width])
-    rgb = part.view(np.uint8).reshape(*part.shape, 4)[..., 2::-1]
-    return pygame.image.frombuffer(rgb.tobytes(), part.shape[::-1], "RGB")

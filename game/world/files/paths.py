@@ -11,7 +11,15 @@ from game.world.files.atomic import clear_parts, make_folder, save_as_new
 
 PACKAGE = Path(__file__).resolve().parents[2]
 LONGEST_NAME = 40  # characters of a file's name, without time and suffix
-KINDS = ("scenes", "pictures", "measures", "rules")  # of files that the user makes, each in a folder of its own
+NO_NAMES = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)  # of files, for Windows
+KINDS = (
+    "scenes",
+    "stamps",
+    "replays",
+    "pictures",
+    "measures",
+    "rules",
+)  # of files that the user makes, each in a folder of its own
 
 
 def asset(*parts):
@@ -53,6 +61,22 @@ def numbered(path):
 def save_new(kind, name, suffix, data):
     """Write bytes to a new file among the user's of a kind and return its path; raise FileError."""
     return save_as_new(new_name(kind, name, suffix), data)
+
+
+def save_named(kind, name, suffix, data):
+    """Write bytes to a new file among the user's of a kind, called by a name; return its path, or raise FileError.
+
+    Where there is such a file already, the new one has a number in its name.
+    """
+    folder = folder_of(kind)
+    make_folder(folder)
+    return save_as_new(numbered(folder / f"{file_stem(name)}{suffix}"), data)
+
+
+def file_stem(name):
+    """Return the name of a file, without suffix, that is as near to a name as systems allow."""
+    plain = re.sub(r'[<>:"/\\|?*\x00-\x1f]+', "-", name).strip(" .")[:LONGEST_NAME].strip(" .") or "sand"
+    return f"{plain}-" if NO_NAMES.fullmatch(plain) else plain
 
 
 def clear_user_parts():

@@ -180,6 +180,12 @@ def open_picture(path):
     return _scene(path, *(saved or cells_of(pixels, palette)), settings)
 
 
+def size_of(path):
+    """Return (width, height) of the picture in a file; raise PictureError if it has none."""
+    with _opened(Path(path), saved_too=True) as picture:
+        return picture.size
+
+
 def thumbnail_of(path, largest):
     """Return (size, RGB bytes) of the picture in a file, as small as `largest`; raise PictureError if it has none."""
     with _opened(Path(path), saved_too=True) as picture:

@@ -5,9 +5,9 @@ from dataclasses import dataclass, field
 from game.world.files.atomic import FileError, load
 from game.world.files.checked_table import TableError
 from game.world.scenes.scene import Scene
-from game.world.sessions.session_format import LARGEST_FILE, VERSION, LineReader, ReplayError
+from game.world.sessions.session_format import LARGEST_FILE, VERSION, LineReader, LineWriter, ReplayError
 
-__all__ = ["SUFFIX", "Recording", "ReplayError", "load_replay", "parse"]
+__all__ = ["SUFFIX", "Recording", "ReplayError", "load_replay", "parse", "recording_of", "replay_bytes"]
 
 SUFFIX = ".sandglass"
 
@@ -22,6 +22,24 @@ class Recording:
     end: int = 0  # the iteration the session had come to
     digest: str | None = None  # the world's digest there, "" if not known; None where the file tells no end
     problem: str | None = None  # what is wrong with the rest of the file, in one line
+
+
+def recording_of(session):
+    """Return the Recording of all that is known of a session's present line."""
+    timeline = session.timeline
+    scene, seed = timeline.start
+    at_end = timeline.goal is None and timeline.now == timeline.reached
+    return Recording(scene, seed, timeline.history.story(), timeline.reached, session.world.digest() if at_end else "")
+
+
+def replay_bytes(recording):
+    """Return the file of a Recording that has an end; raise FileError where it tells of more than anybody reads."""
+    pen = LineWriter()
+    lines = [pen.header(recording.scene, recording.seed), *map(pen.entry, recording.entries)]
+    data = b"".join([*lines, pen.end(recording.end, recording.digest)])
+    if pen.known.are_too_many or len(data) > LARGEST_FILE:
+        raise ReplayError(f"replay: found a session too large for a file, wanted at most {LARGEST_FILE} bytes")
+    return data
 
 
 def load_replay(path):

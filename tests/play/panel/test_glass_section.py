@@ -102,6 +102,7 @@ def test_a_glass_that_was_made_is_saved_like_any_scene(maker):
     drag(maker, "Wall", 0.5)
     sand, walls = maker.world.sand, maker.world.walls
     maker.key(pygame.K_s, mod=pygame.KMOD_CTRL)
+    maker.key(pygame.K_RETURN)
     maker.settle()
     path = maker.parts.notices.text.removeprefix("Saved as ")
     maker.parts.sessions.load("blank")

@@ -15,7 +15,7 @@ from PIL import Image
 
 from game import load_rule
 from game.play.app import App
-from game.play.pages import saved_scenes
+from game.play.pages import file_shelf
 from game.play.storage import open_sessions, recorder
 from game.play.storage.files import demos
 from game.play.storage.films.film import Film
@@ -46,6 +46,8 @@ on_linux = pytest.mark.skipif(sys.platform != "linux", reason="elsewhere no file
 
 def save(player):
     player.key(pygame.K_s, mod=CTRL)
+    if player.parts.name_card.shown:
+        player.key(pygame.K_RETURN)
     player.settle()
 
 
@@ -117,7 +119,7 @@ def test_del_puts_a_saved_scene_away_where_it_is_not_lost(player):
     for gone in (first, second):
         data = gone.read_bytes()
         player.key(pygame.K_DELETE)
-        kept = folder_of("scenes") / saved_scenes.AWAY / gone.name
+        kept = folder_of("scenes") / file_shelf.AWAY / gone.name
         assert not gone.exists() and kept.read_bytes() == data and str(kept) in player.parts.notices.text
     player.key(pygame.K_DELETE)
     assert len(shelf) == 0 and player.parts.gallery.shown
@@ -162,7 +164,7 @@ def test_a_single_saved_scene_is_shown_no_larger_than_six(player):
 
 
 def test_of_many_saved_scenes_only_the_pictures_seen_last_are_kept(player, monkeypatch):
-    monkeypatch.setattr(saved_scenes, "KEPT", 5)
+    monkeypatch.setattr(file_shelf, "KEPT", 5)
     kept, read = weakref.WeakSet(), pygame.image.frombytes
     monkeypatch.setattr(pygame.image, "frombytes", lambda *told: (surface := read(*told), kept.add(surface))[0])
     save(player)
@@ -178,7 +180,7 @@ def test_of_many_saved_scenes_only_the_pictures_seen_last_are_kept(player, monke
             player.settle()
         in_sight = [number for number in range(len(gallery.shelf)) if gallery.tile(number)]
         assert all(gallery.shelf.picture(number) for number in in_sight)
-        assert 0 < len(kept) <= len(in_sight) + saved_scenes.BATCH + 5 < 60
+        assert 0 < len(kept) <= len(in_sight) + file_shelf.BATCH + 5 < 60
 
 
 def test_a_damaged_saved_scene_is_shown_as_such_and_costs_a_line(player):
