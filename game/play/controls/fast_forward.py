@@ -142,7 +142,7 @@ class FastForward:
         elif found:
             self._narrow()
         elif self._mode == AWAITING and session.at_rest:
-            self._notices.say("No more sand will pass the neck.")
+            self._notices.say("Nothing more will pass the neck.")
             self.stop()
 
     def _possible(self):

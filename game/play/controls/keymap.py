@@ -44,7 +44,7 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("Q E", (pygame.K_q,), "sand.tilt -1", "tilt left, right"),
         Key("", (pygame.K_e,), "sand.tilt 1", ""),
         Key("R", (pygame.K_r,), "sand.restart", "restart the scene"),
-        Key("C", (pygame.K_c,), "sand.clear", "remove all sand"),
+        Key("C", (pygame.K_c,), "sand.clear", "remove all but walls"),
         Key("H", (pygame.K_h,), "view.toggle_forecast", "forecast"),
         Key("Shift+H", (pygame.K_h,), "sand.compare", "compare worlds", SHIFT),
         Key("F7 F8", (pygame.K_F7,), "view.toggle_differences", "their differences; density"),

@@ -46,7 +46,7 @@ class SandCommands:
 
     def clear(self):
         """Take all sand away."""
-        self._sessions.slowly("Taking the sand away …", lambda: self._sessions.do(Clear()))
+        self._sessions.slowly("Clearing …", lambda: self._sessions.do(Clear()))
 
     def compare(self):
         """Show this world in variants side by side, from now on; again, go back to it as it was."""

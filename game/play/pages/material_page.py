@@ -105,7 +105,7 @@ class MaterialPage:
             _show(ui, each, swatches)
         if not found:
             ui.text(STILL if told.materials[code].kind == "solid" else ALONE)
-        return ui.button("Close", key="Esc", tip="Goes back to the sand")
+        return ui.button("Close", key="Esc", tip="Goes back to the scene")
 
 
 def _show(ui, reaction, swatches):

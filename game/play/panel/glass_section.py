@@ -31,12 +31,12 @@ class GlassSection:
 
     def lay_out(self, ui):
         """Show the section and do what it was told."""
-        self._open = ui.fold("Glass", self._open, tip="Makes an hourglass of any shape, with the sand in it")
+        self._open = ui.fold("Glass", self._open, tip="Makes an hourglass of any shape, with what is in it")
         if not self._open:
             return
         glass = self._sessions.now.scene.glass
         if glass is None:
-            ui.text("This scene is not a glass. You can turn it into one; the sand stays in it.", dim=True)
+            ui.text("This scene is not a glass. You can turn it into one; what is here stays in it.", dim=True)
             if ui.button("Make a glass"):
                 self._put(_glass_on(self._sessions.now.world.shape))
             return
@@ -45,7 +45,7 @@ class GlassSection:
         if changed != glass:
             self._put(changed, _poured(changed) != _poured(glass), join=self._turning)
         self._turning = held and (self._turning or changed != glass)
-        if ui.button("Refill", tip="Removes all sand and fills the upper bulb"):
+        if ui.button("Refill", tip="Empties the glass and fills the upper bulb"):
             self._put(glass, refill=True)
         run_out = self._planner.ask() or self._planner.newest
         ui.text(running_time(self._sessions.now, run_out), dim=True)
@@ -112,7 +112,7 @@ def running_time(session, run_out):
         return "Runs for longer than can be computed."
     left = run_out.at - session.now
     if left <= 0 and not run_out.has_neck:
-        return "All sand is at rest, and none of it is above a neck."
+        return "All is at rest, and nothing is above a neck."
     if left <= 0:
-        return "The sand above the neck is stuck." if run_out.left else "No sand is above the neck."
+        return "What is above the neck is stuck." if run_out.left else "Nothing is above the neck."
     return f"Runs for {spell(left / session.clock.speed)} more at {session.clock.speed:,.0f} iterations a second."

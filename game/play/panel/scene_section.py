@@ -13,7 +13,7 @@ class SceneSection:
         self._buttons = (
             ("Gallery", "F2", "All scenes at once, running, with a sentence about each", commands.show_scenes),
             ("New", "Ctrl+N", new, commands.new_canvas),
-            ("Save", "Ctrl+S", "Saves sand, walls and settings in one picture", commands.save),
+            ("Save", "Ctrl+S", "Saves all cells and settings in one picture", commands.save),
             ("Open", "Ctrl+O", "Shows the saved scenes; the one you open replaces this one", commands.open_scenes),
         )
 
@@ -23,7 +23,7 @@ class SceneSection:
         names = self._names if scene.name in self._names else (*self._names, scene.name)
         titles = [self._sessions.title_of(name) for name in names]
         now = names.index(scene.name)
-        chosen = ui.choice("Scene", titles, now, tip="Replaces this sand and these walls with another scene")
+        chosen = ui.choice("Scene", titles, now, tip="Puts another scene in place of this one")
         if chosen != now:
             commands.open_shipped(names[chosen])
         if scene.notice:

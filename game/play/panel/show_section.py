@@ -24,7 +24,7 @@ class ShowSection:
         if ui.toggle("Ruler", ruled, tip=tip) != ruled:
             self._brush.choose("brush" if ruled else TOOL)
         tip = (
-            "Shows frame times, the iteration, the account of the grains and memory; so does pointing at the line below"
+            "Shows frame times, the iteration, the account of all cells and memory; so does pointing at the line below"
         )
         if ui.toggle("Figures", self._stats_card.kept, tip=tip) != self._stats_card.kept:
             self._stats_card.toggle()

@@ -19,7 +19,7 @@ class TimeSection:
         """Show the section and do what it was told."""
         session = self._sessions.now
         ui.heading("Time")
-        tip = "How fast the sand runs, in iterations per second"
+        tip = "How fast time runs, in iterations per second"
         session.clock.speed = ui.slider(
             "Speed", parameters.SPEED, session.clock.speed, default=session.scene.speed, log=True, tip=tip
         )
@@ -31,17 +31,17 @@ class TimeSection:
         if ui.button("Flip", key="F", tip="Turns the glass over"):
             self._sand.flip()
         ui.row(2)
-        if ui.button("Undo", key="Ctrl+Z", tip="Takes back the last action; the sand is as it would be without it"):
+        if ui.button("Undo", key="Ctrl+Z", tip="Takes back the last action; all is as it would be without it"):
             self._time.undo()
         if ui.button("Redo", key="Ctrl+Y", tip="Brings back what was undone, or the future you left"):
             self._time.redo()
         ui.row(2)
         if ui.button("Restart", key="R", tip="Starts the scene again; friction and speed stay as you set them"):
             self._sand.restart()
-        if ui.button("Clear", key="C", tip="Removes all sand; the walls stay"):
+        if ui.button("Clear", key="C", tip="Removes all but the walls"):
             self._sand.clear()
         ui.row(2)
-        tip = "Turns the lattice by a quarter, so that the sand falls to another side"
+        tip = "Turns the lattice by a quarter, so that all falls to another side"
         if ui.button("Turn left", key="Ctrl+F", tip=tip):
             self._sand.turn("3")
         if ui.button("Turn right", key="Shift+F", tip=tip):

@@ -27,7 +27,7 @@ class TimerSection:
         running = self._timer.state == RUNNING
         self._open = self._open or (running and not self._was_running)
         self._was_running = running
-        self._open = ui.fold("Timer", self._open, tip="Makes the sand run out exactly on time")
+        self._open = ui.fold("Timer", self._open, tip="Makes the glass run out exactly on time")
         if self._open:
             self._lay_out_time(ui)
             self._lay_out_buttons(ui)

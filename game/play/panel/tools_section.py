@@ -10,12 +10,12 @@ TIPS = {  # what each tool does that changes the sand
     "rectangle": "Draws a rectangle from corner to corner; with Shift a square  (U)",
     "ellipse": "Draws an ellipse from corner to corner; with Shift a circle  (O)",
     "fill": "Fills all that is joined to the cell under the pointer and like it  (V)",
-    "spray": "Scatters single grains, denser the longer it rests  (A)",
+    "spray": "Scatters single cells, denser the longer it rests  (A)",
     "pick": "Picks what is under the pointer, to paint with it  (I)",
     "replace": "Paints over only what is like the cell it started on  (Y)",
-    "tap": "Places a tap, as wide as the brush, that pours sand of the chosen colour for ever; "
+    "tap": "Places a tap, as wide as the brush, that pours what is chosen for ever; "
     "drag a tap or a drain to move it  (J)",
-    "drain": "Places a drain, as wide as the brush, that swallows the sand that reaches it  (Z)",
+    "drain": "Places a drain, as wide as the brush, that swallows what reaches it  (Z)",
     "select": "Selects a rectangle; dragged inside, it goes along with all that is in it  (Shift+S)",
     "stamp": "Puts down what was copied, as often as you click  (Ctrl+V)",
 }
@@ -44,7 +44,7 @@ class ToolsSection:
         brush.diameter = ui.slider("Size", parameters.BRUSH, brush.diameter, log=True, tip=tip)
         _show_special(ui, brush)
         self._open = ui.fold(
-            "Shape of the brush", self._open, tip="Round, square or diamond, and whether sand replaces walls"
+            "Shape of the brush", self._open, tip="Round, square or diamond, and whether it replaces walls"
         )
         if self._open:
             _show_shape(ui, brush)
@@ -117,7 +117,7 @@ def _show_special(ui, brush):
         tip = "Draws only the outline, as thick as the brush  (Shift+U, Shift+O)"
         brush.edge_only = ui.toggle("Outline only", brush.edge_only, tip=tip)
     if brush.tool == "tap":
-        tip = "Iterations from one grain to the next, in each cell of a new tap"
+        tip = "Iterations from one pour to the next, in each cell of a new tap"
         brush.every = round(ui.slider("Pours every", parameters.EVERY, brush.every, log=True, tip=tip))
 
 
@@ -126,5 +126,5 @@ def _show_shape(ui, brush):
     labels = [shape.capitalize() for shape in shapes]
     tip = "Shape of the brush  (Shift+D)"
     brush.shape = shapes[ui.segmented("Shape", labels, shapes.index(brush.shape), tip=tip)]
-    tip = "Lets sand replace walls; otherwise walls stay"
-    brush.over_walls = ui.toggle("Paint sand over walls", brush.over_walls, tip=tip)
+    tip = "Lets what you paint replace walls; otherwise walls stay"
+    brush.over_walls = ui.toggle("Paint over walls", brush.over_walls, tip=tip)

@@ -200,9 +200,9 @@ class Timer:
         if self._slept:
             return f"{wanted} ended {spell(self.error_s)} ago, while the computer slept."
         if run_out is None:
-            return f"{wanted} is over. When the sand would run out was not found in time."
+            return f"{wanted} is over. When the glass would run out was not found in time."
         if run_out.endless:
-            return f"{wanted} is over. No end of this sand can be foreseen."
+            return f"{wanted} is over. No end of this can be foreseen."
         if run_out.iterations == 0 or self._sessions.now.now > run_out.at:
             return f"{wanted} is over. {'The sand was stuck.' if run_out.left else 'No sand was left to fall.'}"
         return f"The last grain fell at {spell(gone_s, 2)}, {self.error_s:.2f} s late."
@@ -221,13 +221,13 @@ class Timer:
         """Return (reason, line) for a plan that will not do, or None."""
         now, left_s = self._sessions.now.now, self.left_s
         if run_out.endless:
-            return "endless", "No end of this sand can be foreseen: the timer only counts down."
+            return "endless", "No end of this can be foreseen: the timer only counts down."
         if now >= run_out.at and not run_out.has_neck:
-            return "rest", "All sand is at rest, and none of it is above a neck: the timer only counts down."
+            return "rest", "All is at rest, and nothing is above a neck: the timer only counts down."
         if now >= run_out.at and run_out.left:
-            return "stuck", "The sand above the neck is stuck: the timer only counts down."
+            return "stuck", "What is above the neck is stuck: the timer only counts down."
         if now >= run_out.at:
-            return "nothing", "No sand is above the neck. Turn the glass over (F), or the timer only counts down."
+            return "nothing", "Nothing is above the neck. Turn the glass over (F), or the timer only counts down."
         pace = (run_out.at - now) / left_s
         needed_s = (run_out.at - now) * run_out.iteration_ns / 1e9
         if needed_s > SHARE * left_s:
@@ -235,5 +235,5 @@ class Timer:
         if pace < SMOOTH and left_s > LONG_S:
             return "jerky", f"Only {pace:.1f} iterations a second: a larger glass (in the panel) flows more evenly."
         if not run_out.has_neck:
-            return "neckless", "There is no single neck here: the timer ends when all sand is at rest."
+            return "neckless", "There is no single neck here: the timer ends when all is at rest."
         return None

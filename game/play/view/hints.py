@@ -1,4 +1,4 @@
-"""Hints: three lines at the right moment of the first minutes, each shown once and then never again.
+"""Hints: a few lines at the right moment of the first minutes, each shown once and then never again.
 
 A hint that the player did not need, having done already what it says, counts as seen.
 """
@@ -17,12 +17,14 @@ class Hint(NamedTuple):
     name: str
     after_s: float
     words: str
+    of_sand: bool | None = None  # only under the rule of sand, only under others, or under any
 
 
 HINTS = (
-    Hint("paint", 8.0, "Press and drag to pour sand. The right button removes it."),
-    Hint("flip", 0.0, "The sand is at rest. F turns the glass over."),
-    Hint("p", 40.0, "Drag p in the panel: with a lower p, the sand is rougher and its piles are steeper."),
+    Hint("paint", 8.0, "Press and drag to paint. The right button erases."),
+    Hint("flip", 0.0, "All is at rest. F turns it over."),
+    Hint("p", 40.0, "Drag p in the panel: with a lower p, the sand is rougher and its piles are steeper.", True),
+    Hint("material", 20.0, "Press the chosen material in the panel again: it shows what it does with others.", False),
 )
 
 
@@ -81,7 +83,7 @@ class Hints:
     def _is_moment(self, hint, now_s):
         if self._display.page or self._display.on_stage or self._notices.line or self._sessions.can_leave:
             return False
-        if now_s - self._start_s < hint.after_s:
+        if now_s - self._start_s < hint.after_s or hint.of_sand not in (None, self._sessions.now.rule.codes.is_sand):
             return False
         if self._last_s is not None and now_s - self._last_s < APART_S:
             return False

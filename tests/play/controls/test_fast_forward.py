@@ -191,7 +191,7 @@ def test_it_is_said_that_nothing_will_pass(watcher):
     go_on(watcher)
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     go_on(watcher)
-    assert watcher.parts.notices.text == "No more sand will pass the neck."
+    assert watcher.parts.notices.text == "Nothing more will pass the neck."
     watcher.parts.sessions.load("blank")
     watcher.key(pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
     assert "no single neck" in watcher.parts.notices.text
@@ -204,7 +204,7 @@ def test_an_act_that_moves_sand_past_the_neck_is_no_flow(watcher):
     watcher.parts.fast_forward.await_flow()
     watcher.parts.sessions.do(Flip())
     go_on(watcher)
-    assert watcher.parts.notices.text == "No more sand will pass the neck."
+    assert watcher.parts.notices.text == "Nothing more will pass the neck."
 
 
 def test_escape_stops_it(watcher):

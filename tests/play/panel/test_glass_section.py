@@ -160,8 +160,8 @@ def test_a_drag_to_a_small_glass_and_back_leaves_a_full_one(maker):
 @pytest.mark.parametrize(
     ("walls", "words"),
     [
-        ((87.0, 118.0, 93.0, 118.0), "The sand above the neck is stuck."),
-        (None, "No sand is above the neck."),
+        ((87.0, 118.0, 93.0, 118.0), "What is above the neck is stuck."),
+        (None, "Nothing is above the neck."),
     ],
 )
 def test_a_plugged_glass_is_not_said_to_be_empty(walls, words):
@@ -186,16 +186,16 @@ def test_sand_beside_the_neck_is_not_said_to_be_below_it(name, quarters, begun):
     session.do(Turn(quarters))
     assert told(session).startswith("Runs for")
     session.timeline.run(20_000)
-    assert told(session) == "All sand is at rest, and none of it is above a neck."
+    assert told(session) == "All is at rest, and nothing is above a neck."
 
 
 def test_no_sand_is_above_the_neck_only_where_all_has_run_through_or_there_is_none():
     session = Session(load_scene("clocks"))  # three glasses, which run out one after the other
-    while told(session) != "No sand is above the neck.":
+    while told(session) != "Nothing is above the neck.":
         assert session.world.sand[:95].any()
         session.timeline.run(500)
     assert not session.world.sand[:94].any()
     session.do(Flip())
     assert told(session).startswith("Runs for")
     session.do(Clear())
-    assert told(session) == "No sand is above the neck."
+    assert told(session) == "Nothing is above the neck."

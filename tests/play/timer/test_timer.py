@@ -213,7 +213,7 @@ def test_sand_goes_on_settling_at_the_pace(waiting):
 def test_a_timer_without_sand_to_fall_still_ends_on_time(waiting):
     waiting.parts.commands.sand.clear()
     waiting.start(2)
-    assert "No sand is above the neck" in waiting.parts.notices.text
+    assert "Nothing is above the neck" in waiting.parts.notices.text
     waiting.run_out()
     assert waiting.timer.error_s <= FRAME_S + 1e-6 and "No sand was left" in waiting.timer.said
 
@@ -232,9 +232,9 @@ def test_a_scene_without_end_is_told_of(waiting, monkeypatch):
     monkeypatch.setattr("game.world.sessions.run_out.find_run_out.__defaults__", (None, 4000, 10**10))
     waiting.parts.sessions.do(SetRule(Rule.with_p(1e-7, "balanced")))
     waiting.start(2)
-    assert "No end of this sand can be foreseen: the timer only counts" in waiting.parts.notices.text
+    assert "No end of this can be foreseen: the timer only counts" in waiting.parts.notices.text
     waiting.run_out()
-    assert waiting.timer.error_s <= FRAME_S + 1e-6 and "No end of this sand" in waiting.timer.said
+    assert waiting.timer.error_s <= FRAME_S + 1e-6 and "No end of this" in waiting.timer.said
 
 
 def test_an_end_that_was_not_found_in_time_is_told_as_such(waiting, monkeypatch):

@@ -9,7 +9,7 @@ from game.play.view.hints import APART_S, HINTS
 from game.world.files.settings import Settings
 from tests.play.player import Player
 
-PAINT, FLIP, P = (hint.words for hint in HINTS)
+PAINT, FLIP, P, MATERIAL = (hint.words for hint in HINTS)
 
 
 def said(player, seconds):
@@ -18,7 +18,7 @@ def said(player, seconds):
     for _ in range(int(seconds * 4)):
         player.frame(elapsed_ns=250_000_000)
         text = player.parts.notices.text
-        if text in (PAINT, FLIP, P) and heard[-1:] != [text]:
+        if text in (PAINT, FLIP, P, MATERIAL) and heard[-1:] != [text]:
             heard.append(text)
     return heard
 
@@ -43,7 +43,13 @@ def test_who_knows_is_not_told(glass):
     glass.key(pygame.K_f)
     glass.click(glass.control("p", 0.3))
     assert said(glass, 120) == []
-    assert set(glass.parts.settings["hints_seen"]) == {hint.name for hint in HINTS}
+    assert set(glass.parts.settings["hints_seen"]) == {hint.name for hint in HINTS if hint.of_sand is not False}
+
+
+def test_under_a_rule_of_many_materials_the_hint_is_of_them_and_not_of_p():
+    player = Player("aquarium")
+    assert set(said(player, 60)) >= {PAINT, MATERIAL} and P not in said(player, 60)
+    pygame.display.quit()
 
 
 def test_what_is_done_in_a_replay_is_not_known_to_who_looks_on(glass):
