@@ -76,19 +76,16 @@ class Density:
 
     def drawing(self, theme, rect):
         """Return the strokes of the card that says what the colours mean."""
-        return scale_card(theme, rect, TITLE, self._lines())
+        return scale_card(theme, rect, *self._words())
 
-    def _lines(self):
+    def _words(self):
+        """Return the title of the card, and the lines under its colours."""
         if self.answer is None:
-            return ("Computing the first runs …",)
-        of, start = self._sessions.now.rule.codes.usual, f"from t = {self._from:,}"
-        error = 100 * standard_error(0.5, self.answer.runs)
-        runs = (
-            "Nothing is left to chance"
-            if self.answer.certain
-            else f"{self.answer.runs:,} runs: ± {error:.1f} % at most"
-        )
-        return f"{of.capitalize()} at t = {self._from + self.answer.now:,}, {start}", runs
+            return TITLE, ("Computing the first runs …",)
+        certain, error = self.answer.certain, 100 * standard_error(0.5, self.answer.runs)
+        runs = "Nothing is left to chance" if certain else f"{self.answer.runs:,} runs: ± {error:.1f} % at most"
+        title = f"{TITLE} at t = {self._from + self.answer.now:,}"
+        return title, (runs, f"{self._sessions.now.rule.codes.usual.capitalize()}, from t = {self._from:,} on")
 
 
 def _starts(session):

@@ -4,7 +4,8 @@ import math
 from typing import NamedTuple
 
 from game.play.plots import charts
-from game.play.plots.material_cards import legend
+from game.play.plots.material_cards import SWATCH, legend
+from game.play.ui import theme as look
 
 UNKNOWN = "–"
 
@@ -36,7 +37,9 @@ def comparison_card(theme, rect, quantity, measured, colours):
     known = [number for numbers in series.values() for number in numbers if not math.isnan(number)]
     strokes, room = charts.card(theme, rect, quantity.title, "")
     now = {name: _last(numbers, quantity.spell) for name, numbers in series.items()}
-    names, room = legend(theme, room, [(name, now[name], colours[name]) for name in series])
+    words = max(theme.width(f"{name}  {now[name]}", look.SMALL) for name in series)
+    entries = [(name, now[name], colours[name]) for name in series]
+    names, room = legend(theme, room, entries, words + theme.px(2 * SWATCH))
     nows = [sample.now for sample in next(iter(measured.values())).samples]
     room, foot = charts.with_foot(theme, room, nows)
     low, high = -charts.round_up(-min([0.0, *known])), charts.round_up(max([0.1, *known]))

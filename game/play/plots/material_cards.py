@@ -31,10 +31,13 @@ def amounts_card(theme, rect, samples, names, colours):
     return strokes + names_of + figures + charts.curves(room, nows, list(series.values()), 0, high)
 
 
-def legend(theme, room, entries):
-    """Return the strokes of (name, figure, colour), as many as have room, and the rect left below them."""
+def legend(theme, room, entries, wide=None):
+    """Return the strokes of (name, figure, colour), as many as have room, and the rect left below them.
+
+    wide: pixels that an entry takes at least; ENTRY if None.
+    """
     px, high = theme.px, theme.line_height(look.SMALL)
-    across = max(1, room.width // px(ENTRY))
+    across = max(1, room.width // (wide or px(ENTRY)))
     rows = min(-(-len(entries) // across), max(1, int(MOST_LEGEND * room.height) // high))
     wide, side, strokes = room.width // across, px(SWATCH), []
     for number, (name, figure, colour) in enumerate(entries[: rows * across]):

@@ -136,3 +136,21 @@ def test_the_error_of_a_slope_tells_how_far_it_is_from_the_true_one():
 @pytest.mark.parametrize("surface", [[0], [0, 0, 9, 0, 0], [5] * 9, [0] * 7])
 def test_what_has_no_flanks_has_no_slope(surface):
     assert all(math.isnan(each) or each == 0 for each in surface_slope(surface))
+
+
+def test_in_the_papers_glass_the_pile_is_taller_and_thinner_the_lower_p_is():
+    scene, found = load_scene("paper"), []
+    for p in (1.0, 0.75, 0.5, 0.25):
+        piles = []
+        for seed in range(60):
+            world, rule = scene.world(seed), Rule.with_p(p, scene.rule.schedule)
+            advance(world, rule, 200)
+            rests = pile(world, scene.neck)
+            piles.append(
+                (rests.height, np.count_nonzero(rests.heights), world.grains - grains_above(world, scene.neck))
+            )
+        found.append(np.mean(piles, axis=0))
+    heights, widths, below = zip(*found, strict=True)
+    assert below == (50,) * 4 and list(heights) == sorted(heights)
+    assert heights == pytest.approx((6.0, 6.8, 8.0, 9.7), abs=0.6)
+    assert widths == pytest.approx((11.0, 11.4, 11.0, 9.3), abs=0.6)
