@@ -3,8 +3,6 @@
 from dataclasses import replace
 from functools import partial
 
-import pygame
-
 from game.play.ui.card import Card
 from game.play.ui.text_line import TextLine
 from game.play.window.layout import MARGIN
@@ -14,21 +12,20 @@ from game.world.sand import parameters
 from game.world.scenes.canvas import canvas
 from game.world.sessions.action import ANCHORS, Resize
 
-WIDTH = 380  # pixels at scale 1
-TOP = 16
 FIELDS = {side.capitalize(): replace(parameters.SIDE, name=side) for side in ("width", "height")}
 KINDS = "A new one", "This one"
 WHAT_TIP = "An empty canvas in place of this one, or another size for this one, with what is on it"
-ANSWERS = {pygame.K_RETURN: True, pygame.K_KP_ENTER: True, pygame.K_ESCAPE: False}  # whether it is done
 
 
-class CanvasCard:
+class CanvasCard(Card):
     """The card of a new canvas, or of another size for the one that is played, while one of them is open."""
 
+    width = 380
+
     def __init__(self, sessions, display, files, rule_files, notices):
-        self._sessions, self._display, self._notices = sessions, display, notices
+        super().__init__(display)
+        self._sessions, self._notices = sessions, notices
         self._files, self._rule_files = files, rule_files
-        self._card = None
         self._resizes = False  # it is about the canvas that is played
         self._lines = {}  # the TextLine of each field
         self._error = ""  # what is wrong with them, in one line
@@ -36,45 +33,28 @@ class CanvasCard:
         self._rule = ""  # its label
         self._walls, self._anchor = False, "middle"
 
-    @property
-    def shown(self):
-        """Whether a card is open."""
-        return self._card is not None
-
-    @property
-    def ui(self):
-        """The controls."""
-        return self._card.ui
-
-    def let_go(self):
-        """Let go of the control that is held."""
-        if self.shown:
-            self.ui.let_go()
-
     def ask_new(self):
         """Ask what a new canvas is to be like."""
         self._rule = self._rule_files.label
-        self._open(False)
+        self._ask(False)
 
     def ask_size(self):
         """Ask how large the canvas that is played is to become."""
-        self._open(True)
+        self._ask(True)
 
-    def _open(self, resizes):
+    def _ask(self, resizes):
         height, width = self._sessions.now.world.shape
         self._resizes, self._error = resizes, ""
         self._cell = min(max(round(self._display.sand_view.view.cell), 1), parameters.CELL.high)
         self._fill(width, height)
-        self._card = Card(self._display.theme, WIDTH)
-        self._card.ui.focus.name = next(iter(FIELDS))
-        self._display.refresh()
+        self._open(next(iter(FIELDS)))
 
     def _fill(self, *sides):
         self._lines = {field: TextLine(str(side)) for field, side in zip(FIELDS, sides, strict=True)}
 
     def handle_events(self, events, now_s, mouse_pos):
         """Take what is chosen, and the answer; return the events that are not the card's."""
-        rest = self._card.lay_out(self._display, self._display.theme.px(TOP), events, now_s, mouse_pos)
+        rest = self._lay_out(events, now_s, mouse_pos)
         ui = self.ui
         self._resizes = ui.segmented("Canvas", KINDS, int(self._resizes), tip=WHAT_TIP) == 1
         self._show_size(ui)
@@ -90,15 +70,12 @@ class CanvasCard:
             self._walls = ui.toggle("Walls around it", self._walls, tip="Along all four sides; outside is wall anyway")
         if self._error:
             ui.text(self._error)
-        ui.row(2)
-        done = ui.button("Resize" if self._resizes else "Create", key="Enter", name="Done")
-        cancelled = ui.button("Cancel", key="Esc")
-        keys = [event.key for event in rest if event.type == pygame.KEYDOWN and event.key in ANSWERS]
-        if cancelled or (keys and not ANSWERS[keys[0]]):
-            self._close()
-        elif done or keys:
+        done, rest = self._answer_row("Resize" if self._resizes else "Create", rest)
+        if done:
             self._answer()
-        return [event for event in rest if not (event.type == pygame.KEYDOWN and event.key in ANSWERS)]
+        elif done is not None:
+            self._close()
+        return rest
 
     def _show_size(self, ui):
         for field, line in self._lines.items():
@@ -112,10 +89,6 @@ class CanvasCard:
             room = self._display.layout.sand
             self._fill(*(max(1, (side - margin) // self._cell) for side in room.size))
             self._error = ""
-
-    def draw(self, surface, theme, area):
-        """Draw the card; return the rects that it covers."""
-        return self._card.draw(surface, theme)
 
     def _answer(self):
         try:
@@ -146,10 +119,6 @@ class CanvasCard:
             cut = self._sessions.now.account.erased - before
             lost = f" {cut:,} grains were cut off." if cut else ""
             self._notices.say(f"The canvas has {act.width}×{act.height} cells now.{lost} Ctrl+Z takes you back.")
-
-    def _close(self):
-        self._card = None
-        self._display.refresh()
 
 
 def _made(width, height, played, name, walls):

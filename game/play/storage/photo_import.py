@@ -9,10 +9,7 @@ from game.play.view.scene_picture import sprite_of
 from game.world.sand.material_codes import WALL_NAME
 from game.world.scenes.picture_file import THRESHOLD, PhotoFilling
 
-WIDTH = 360  # pixels at scale 1
-TOP = 16
 PICTURE_HEIGHT = 220
-ANSWERS = {pygame.K_RETURN: True, pygame.K_KP_ENTER: True, pygame.K_ESCAPE: False}  # whether the photo is used
 
 
 class _Choice(NamedTuple):
@@ -23,28 +20,14 @@ class _Choice(NamedTuple):
     filling: PhotoFilling | None  # under a rule of other materials than sand
 
 
-class PhotoImport:
+class PhotoImport(Card):
     """The card with the photo that is being looked at, if any."""
 
     def __init__(self, sessions, display):
-        self._sessions, self._display = sessions, display
-        self._card = self._photo = self._found = self._choice = None
+        super().__init__(display)
+        self._sessions = sessions
+        self._photo = self._found = self._choice = None
         self._on_use = None  # called with the Scene that the photo has become, in place of opening it
-
-    @property
-    def shown(self):
-        """Whether a photo is being looked at."""
-        return self._card is not None
-
-    @property
-    def ui(self):
-        """The controls."""
-        return self._card.ui
-
-    def let_go(self):
-        """Let go of the control that is held."""
-        if self.shown:
-            self.ui.let_go()
 
     def show(self, photo, on_use=None):
         """Open the card with a Photo; on_use(scene) is called with what it has become, else that is opened."""
@@ -55,12 +38,11 @@ class PhotoImport:
             filling = PhotoFilling(rule, rule.codes.usual, WALL_NAME)
         self._choice = _Choice(photo.threshold, True, filling)
         self._found = photo.picture(*self._choice)
-        self._card = Card(self._display.theme, WIDTH)
-        self._display.refresh()
+        self._open()
 
     def handle_events(self, events, now_s, mouse_pos):
         """Adjust the threshold, use the photo or cancel; return the events that are not the card's."""
-        rest = self._card.lay_out(self._display, self._display.theme.px(TOP), events, now_s, mouse_pos)
+        rest = self._lay_out(events, now_s, mouse_pos)
         ui = self.ui
         filling = self._choice.filling
         ui.heading(f"{self._photo.path.name} as {'materials' if filling else 'sand'}")
@@ -69,12 +51,10 @@ class PhotoImport:
         if choice != self._choice:
             self._choice, self._found = choice, self._photo.picture(*choice)
         ui.stroke(_picture, room, self._found.scene)
-        ui.row(2)
-        used, cancelled = ui.button("Use", key="Enter"), ui.button("Cancel", key="Esc")
-        keys = [event.key for event in rest if event.type == pygame.KEYDOWN and event.key in ANSWERS]
-        if used or cancelled or keys:
-            self._answer(used or (not cancelled and ANSWERS[keys[0]]))
-        return [event for event in rest if not (event.type == pygame.KEYDOWN and event.key in ANSWERS)]
+        used, rest = self._answer_row("Use", rest)
+        if used is not None:
+            self._answer(used)
+        return rest
 
     def _chosen(self, ui):
         """Return the choice as the controls have it."""
@@ -89,10 +69,6 @@ class PhotoImport:
         bright = names[ui.choice("Bright is", words, names.index(filling.bright))]
         between = names[ui.choice("Half as bright is", words, names.index(filling.between))]
         return _Choice(threshold, in_colours, filling._replace(bright=bright, between=between))
-
-    def draw(self, surface, theme, area):
-        """Draw the card with the photo as it would be; return the rects that it covers."""
-        return self._card.draw(surface, theme)
 
     def _answer(self, used):
         """Use the photo, or close the card without."""
@@ -110,10 +86,6 @@ class PhotoImport:
             self._on_use(self._found.scene)
         elif self._sessions.open_scene(self._found.scene, self._found.seed):
             self._close()
-
-    def _close(self):
-        self._card = None
-        self._display.refresh()
 
 
 def _picture(surface, theme, room, scene):

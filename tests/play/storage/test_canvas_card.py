@@ -58,7 +58,7 @@ def test_a_canvas_that_fills_the_window_is_made_by_the_mouse_alone(still):
     still.drag(track.center, (track.left, track.centery))
     press(still, "Fill the window")
     press(still, "Walls around it")
-    press(still, "Done")
+    press(still, "Create")
     still.settle()
     still.frame()
     view, walls = still.parts.display.sand_view.view, still.world.walls
@@ -75,7 +75,7 @@ def test_a_canvas_can_be_of_another_rule(still):
     still.frame()
     labels = [*still.parts.rule_files.labels]
     still.click(part(still, "Rule", labels.index("Water and oil")))
-    press(still, "Done")
+    press(still, "Create")
     still.settle()
     assert still.session.rule.definition.name == "water-and-oil" and still.world.shape == (90, 120)
 
@@ -108,7 +108,7 @@ def test_another_size_keeps_what_is_on_the_canvas_and_is_told_by_the_replay(stil
         type_in(still, "60")
         still.frame()
         still.click(part(still, "Keep", 8))
-        press(still, "Done")
+        press(still, "Resize")
     assert still.world.shape == (90, 60) and (still.world.materials == cells[:, 60:]).all()
     cut = int((cells[:, :60] == 1).sum())
     assert cut and still.session.account.erased == cut and still.session.account.balanced(still.world)
