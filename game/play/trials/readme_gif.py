@@ -35,7 +35,7 @@ def frames():
     world = scene.world()
     _run_out(world, scene.rule)
     world.flip()
-    sand_view = Stage(scene)
+    sand_view = PictureStage(scene)
     while not world.activity.settled:
         for iterations in (ITERATIONS - SINGLY, *[1] * SINGLY):
             advance(world, scene.rule, iterations)
@@ -46,7 +46,7 @@ def frames():
         yield sand_view.turned(number * FRAME_MS / 1000), FRAME_MS
 
 
-class Stage:
+class PictureStage:
     """The frame that the glass stands in."""
 
     def __init__(self, scene):

@@ -72,7 +72,7 @@ class FilmFile:
         self._shown, self._next, self._next_ms = self._next, None, self._next_ms - whole_ms
 
 
-class Patch(NamedTuple):
+class Change(NamedTuple):
     """What changes from one frame to the next, inside the smallest rectangle that holds it."""
 
     left: int
@@ -82,9 +82,9 @@ class Patch(NamedTuple):
 
 
 def patch(before, now):
-    """Return the Patch that makes `now` of the frame `before`, another one; all of it where that is None."""
+    """Return the Change that makes `now` of the frame `before`, another one; all of it where that is None."""
     if before is None:
-        return Patch(0, 0, now, None)
+        return Change(0, 0, now, None)
     differs = before != now
     rows, columns = np.flatnonzero(differs.any(axis=1)), np.flatnonzero(differs.any(axis=0))
     room = slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1)
@@ -92,7 +92,7 @@ def patch(before, now):
     free = np.flatnonzero(np.bincount(pixels[differs], minlength=256) == 0)
     if len(free):
         pixels[~differs] = free[0]
-    return Patch(int(columns[0]), int(rows[0]), pixels, int(free[0]) if len(free) else None)
+    return Change(int(columns[0]), int(rows[0]), pixels, int(free[0]) if len(free) else None)
 
 
 def enlarged(pixels, zoom):
