@@ -52,7 +52,7 @@ LIGHT = {  # by what the darkest and the lightest shade of a material differ fro
 GLOWING = (-0.12, 0.3)  # as in LIGHT: of what glows
 APART, MOVED = 40, 0.2  # channels of colours nearer than that are moved, by that part
 GAS_COVERS = 0.6  # how much of what is behind it a gas hides
-CLEAR_COVERS = 0.66, 0.94  # … and what else is translucent, where it is darkest and where it is lightest
+CLEAR_COVERS = 0.74, 0.88  # … and what else is translucent, where it is darkest and where it is lightest
 WALL_LOOKS = ("stone", "glass", "wood")  # what a scene's walls can be made of; in glass its long level runs are wooden
 
 
