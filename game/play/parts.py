@@ -63,6 +63,7 @@ from game.play.view.frame_stats import FrameStats
 from game.play.view.hints import Hints
 from game.play.view.notices import Notices
 from game.play.view.renderer import Renderer
+from game.play.view.room_hint import RoomHint
 from game.play.view.stats_card import StatsCard
 from game.play.view.status_line import StatusLine
 from game.play.window.audio import Audio
@@ -191,7 +192,16 @@ class Parts:
         self.cards = self.name_card, self.canvas_card, self.photo_import, self.dialog  # the first lies on top
         self.overlays = [self.glow, self.block_card, self.ruler, *self.cards[::-1]]
         hints = Hints(self.settings, sessions, display, notices)
-        self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss, hints]
+        room_hint = RoomHint(sessions, display, notices)
+        self.watchers = [
+            self.recorder,
+            self.settings_saver,
+            self.camera.badge,
+            self.stats_card,
+            self.hiss,
+            hints,
+            room_hint,
+        ]
         self.watchers += [self.forecasting, self.density, self.plots, self.fast_forward, self.timer, self.glow]
         self.watchers += [self.rule_change, self.rule_files, self.block_card, self.ruler, self.window_glass]
 

@@ -82,3 +82,21 @@ def test_an_empty_lattice_that_rests_needs_no_flip(player):
     assert said(player, 20) == []
     player.key(pygame.K_z, mod=CTRL)
     assert player.parts.settings["hints_seen"] == ("paint", "p")
+
+
+@pytest.mark.parametrize(("size", "scale", "cramped"), [((1280, 720), 2, True), ((1920, 1080), 1, False)])
+def test_where_worlds_have_little_room_the_key_that_makes_some_is_named_once(size, scale, cramped):
+    player = Player("hourglass", (900, 700))
+    player.parts.settings["hints_seen"] = tuple(hint.name for hint in HINTS)
+    player.parts.settings.override("ui_scale", scale)
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    player.key(pygame.K_h, "H", pygame.KMOD_SHIFT)
+    player.now_s += 60
+    player.wait(3)
+    assert ("P hides the panel" in (player.parts.notices.text or "")) == cramped
+    player.now_s += 60
+    player.wait(3)
+    assert player.parts.notices.text is None
+    player.parts.close()
+    pygame.display.quit()
