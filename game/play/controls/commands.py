@@ -64,6 +64,10 @@ class FileCommands:
         """Take a picture of the sand alone, its cells whole pixels wide."""
         self._recorder.shoot_sand()
 
+    def copy_sand(self):
+        """Put a picture of the sand on the clipboard."""
+        self._recorder.copy_sand()
+
     def record(self):
         """Record what follows, or end the recording."""
         self._recorder.toggle()

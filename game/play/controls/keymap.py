@@ -77,6 +77,8 @@ GROUPS = {  # what the help shows together; a key without a command is heard els
         Key("Ctrl+C X", (pygame.K_c,), "piece.copy", "copy, cut", CTRL),
         Key("", (pygame.K_x,), "piece.cut", "", CTRL),
         Key("Ctrl+V", (pygame.K_v,), "piece.paste", "take what was copied in hand", CTRL),
+        Key("Ctrl+Shift+C V", (pygame.K_c,), "files.copy_sand", "copy a picture of the sand; paste one", CTRL | SHIFT),
+        Key("", (pygame.K_v,), "piece.paste_picture", "", CTRL | SHIFT),
         Key("Shift+X, Shift+E", (pygame.K_x,), "piece.mirror", "mirror, turn it", SHIFT),
         Key("", (pygame.K_e,), "piece.turn", "", SHIFT),
         Key("Ctrl+K, F3", (pygame.K_k,), "piece.keep", "keep it as a stamp; all stamps", CTRL),

@@ -39,6 +39,10 @@ class PieceCommands:
         else:
             self._notices.say("Nothing is copied yet. " + HOW.format(key_name("Shift+S")))
 
+    def paste_picture(self):
+        """Take the picture on the clipboard in hand."""
+        self._stamps.take_picture()
+
     def keep(self):
         """Keep what is selected, or the stamp in hand, among the player's stamps."""
         if self._brush.tool == "stamp" and self._selection.copied:

@@ -66,6 +66,10 @@ class ToolsSection:
             commands.keep()
         if ui.button("Stamps", key="F3", tip="Shows the stamps that you have kept, to take one in hand"):
             self._show_stamps()
+        if stamps and ui.button(
+            "Paste a picture", key="Ctrl+Shift+V", tip="Takes the picture on the clipboard in hand"
+        ):
+            commands.paste_picture()
         ui.row(2)
         if ui.button("Mirror", key="Shift+X", tip="Exchanges left and right", enabled=there):
             commands.mirror()

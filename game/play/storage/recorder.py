@@ -7,6 +7,7 @@ from functools import partial
 import numpy as np
 import pygame
 
+from game.play.storage.clipboard import put_picture
 from game.play.storage.films.film import Film, rgb
 from game.play.storage.films.film_file import FilmFile
 from game.play.storage.films.formats import encoder_of
@@ -58,21 +59,29 @@ class Recorder:
 
     def shoot_sand(self):
         """Save a picture of the sand, its cells as many whole pixels wide as they are on the screen."""
+        self._save_picture(self._picture_of_sand())
+
+    def copy_sand(self):
+        """Put that picture on the clipboard."""
+        draw = self._picture_of_sand()
+        done = "The picture is on the clipboard."
+        self._background.do(lambda: put_picture(_png(draw())), lambda _: self._notices.say(done))
+
+    def _picture_of_sand(self):
+        """Return a function without arguments that draws it."""
         shown, streams = self._sessions.now.world, self._sessions.now.streams
         world = shown.copy()
         streams = streams.copy(world) if streams and streams.follows(shown) else None
         most = LARGEST_PICTURE // max(world.shape)
         scale = max(1, min(round(self._display.sand_view.view.cell), most))
-        self._save_picture(partial(image_of_sand, world, scale, *self._looks(), streams))
+        return partial(image_of_sand, world, scale, *self._looks(), streams)
 
     def _save_picture(self, draw):
         """Save the image that draw() returns, beside the frames."""
         name = self._sessions.now.scene.name
 
         def work():
-            file = io.BytesIO()
-            draw().save(file, "PNG")
-            return save_new("pictures", name, ".png", file.getvalue())
+            return save_new("pictures", name, ".png", _png(draw()))
 
         self._background.do(work, lambda path: self._notices.say(f"Picture saved as {path}"), writes=True)
 
@@ -214,3 +223,10 @@ def _again(timeline, ats):
 def spelled(size):
     """Return a number of bytes as people say it."""
     return f"{size / 1e6:.1f} MB" if size >= 1e5 else f"{size / 1e3:.0f} kB"
+
+
+def _png(image):
+    """Return the PNG of a Pillow image."""
+    file = io.BytesIO()
+    image.save(file, "PNG")
+    return file.getvalue()

@@ -3,6 +3,7 @@
 from functools import partial
 from types import SimpleNamespace
 
+from game.play.storage.clipboard import picture_there
 from game.world.files.paths import save_named
 from game.world.sand.clock import Clock
 from game.world.sand.stamp import Stamp
@@ -26,6 +27,10 @@ class Stamps:
         """Take the stamp in a file in hand: a kept one, a saved scene, or any picture."""
         self._background.do(partial(open_picture, path), self._take)
 
+    def take_picture(self):
+        """Take the picture on the clipboard in hand, as a picture that is opened becomes materials."""
+        self._background.do(picture_there, self._take)
+
     def _keep(self, copied, name):
         def work():
             return save_named("stamps", name or "Stamp", ".png", stamp_bytes(*copied))
@@ -34,7 +39,7 @@ class Stamps:
 
     def _take(self, found):
         if isinstance(found, Photo):
-            self._photo_import.show(found, lambda scene: self._hold(scene))
+            self._photo_import.show(found, self._hold)
         else:
             self._hold(found.scene)
 
