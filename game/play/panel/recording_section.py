@@ -31,6 +31,9 @@ class RecordingSection:
         if ui.button("Last 10 s", key="Shift+G", tip="Saves the last ten seconds as a film"):
             recorder.record_past()
         self._lay_out_format(ui)
+        tip = "Puts a picture of the sand on the clipboard, to be pasted elsewhere"
+        if ui.button("Copy the picture", key="Ctrl+Shift+C", tip=tip):
+            recorder.copy_sand()
         tip = "Saves all that you did in this session, to be played again on any machine"
         if ui.button("Save as replay", key="Ctrl+Shift+S", tip=tip):
             self._files.save_replay()

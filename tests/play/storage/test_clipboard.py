@@ -38,8 +38,12 @@ def board(monkeypatch):
 def test_a_picture_of_the_sand_goes_to_the_clipboard_and_comes_back_as_sand(still, board):
     still.drag(still.pixel(30, 20), still.pixel(80, 40))
     sand = still.world.sand
+    still.unfold("Recording and past")
+    still.click(still.parts_of("Copy the picture")[0].center)
+    still.settle()
     still.key(pygame.K_c, mod=CTRL_SHIFT)
     still.settle()
+    assert len(board) == 2
     assert board[0].size[0] % 120 == 0 and "clipboard" in still.parts.notices.text
     board.append(Image.fromarray(sand * np.uint8(255)))
     still.key(pygame.K_v, mod=CTRL_SHIFT)
