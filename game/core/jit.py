@@ -26,8 +26,10 @@ from numba.core.serialize import dumps
 from numba.extending import intrinsic
 from platformdirs import user_cache_dir
 
+from game.core.sealed_files import read_sealed, write_sealed
+
+MOST_KEPT = 96  # passes of rules that are kept: some 300 KB each
 FOLDERS_KEPT = 3  # caches of older sources and versions beside the current one; fewer means compiling after a switch
-SEAL = 32  # bytes of the checksum before a kernel's machine code
 
 
 def _pass_by_scipy():
@@ -112,10 +114,7 @@ class _KernelCache(FunctionCache):
         target_context.refresh()
         path = self._path(sig, target_context.codegen())
         try:
-            sealed = path.read_bytes()
-            if hashlib.sha256(sealed[SEAL:]).digest() != sealed[:SEAL]:
-                raise ValueError("found other bytes than were written")
-            return CompileResult._rebuild(target_context, *pickle.loads(sealed[SEAL:]))
+            return CompileResult._rebuild(target_context, *pickle.loads(read_sealed(path)))
         except FileNotFoundError:
             return None
         except Exception as error:  # whatever pickle and LLVM trip over
@@ -126,9 +125,7 @@ class _KernelCache(FunctionCache):
         """Keep the CompileResult for a signature, if that is possible."""
         path = self._path(sig, data.codegen)
         try:
-            code = dumps(data._reduce())
-            path.parent.mkdir(parents=True, exist_ok=True)
-            _write(path, hashlib.sha256(code).digest() + code)
+            write_sealed(path, dumps(data._reduce()))
         except Exception as error:
             _note(path, "cannot keep a compiled kernel", error)
 
@@ -136,17 +133,6 @@ class _KernelCache(FunctionCache):
         function = self._py_func
         key = repr((function.__module__, self._index_key(sig, codegen))).encode()
         return Path(self.cache_path, f"{function.__qualname__}-{hashlib.sha256(key).hexdigest()[:20]}.kernel")
-
-
-def _write(path, data):
-    """Write a file in one step."""
-    part = path.with_suffix(f".{os.getpid()}.part")
-    try:
-        part.write_bytes(data)
-        os.replace(part, path)
-    except OSError:
-        part.unlink(missing_ok=True)
-        raise
 
 
 def _note(path, doing, error):
@@ -166,6 +152,35 @@ def kernel(function):
         made._cache = _KernelCache(function)
     _kernels.append(made)
     return made
+
+
+def kept(key, make):
+    """Return what make() returns, a value that can be pickled; what it made for this key before is only read again.
+
+    key: a text that, with the kernel sources and the versions beneath them, decides all.
+    """
+    path = _FOLDER and Path(_FOLDER, f"pass-{hashlib.sha256(key.encode()).hexdigest()[:20]}.pass")
+    try:
+        if path:
+            return pickle.loads(read_sealed(path))
+    except FileNotFoundError:
+        pass
+    except Exception as error:  # whatever pickle trips over
+        _note(path, "cannot read a compiled rule", error)
+    made = make()
+    try:
+        if path:
+            write_sealed(path, pickle.dumps(made))
+            _drop_oldest(path.parent)
+    except OSError as error:
+        _note(path, "cannot keep a compiled rule", error)
+    return made
+
+
+def _drop_oldest(folder):
+    """Remove all but the newest passes of rules."""
+    for path in sorted(folder.glob("*.pass"), key=_age, reverse=True)[MOST_KEPT:]:
+        path.unlink(missing_ok=True)
 
 
 def ready():

@@ -28,6 +28,8 @@ down, so -1 // 2 = -1. A row of blocks is dealt out to words = ceil(ceil(width /
 """
 
 from dataclasses import dataclass
+from functools import cached_property
+from hashlib import sha256
 
 import numpy as np
 
@@ -96,6 +98,17 @@ class RuleTable:
     def states(self):
         """The number of block states."""
         return 2 ** (4 * self.bits)
+
+    @cached_property
+    def digest(self):
+        """Hex digits that name all that the table says, but for the names of the probabilities."""
+        digest = sha256(f"{self.bits} {self.codes} {self.outside}".encode())
+        for number, layer in enumerate(self.layers):
+            for claim in layer:
+                digest.update(f"\n{number} {claim.face} {claim.event} ".encode() + claim.states.tobytes())
+                for outcome in claim.outcomes:
+                    digest.update(f" {outcome.slot} ".encode() + outcome.after.tobytes())
+        return digest.hexdigest()
 
     @property
     def used_states(self):

@@ -87,3 +87,37 @@ def test_caches_that_another_process_removes_meanwhile_are_passed_over(tmp_path,
         (tmp_path / f"kernels-{number}").mkdir()
     jit._prune(tmp_path, tmp_path / "kernels-0")
     assert len([path for path in tmp_path.glob("kernels-*") if path.is_dir()]) == jit.FOLDERS_KEPT + 1
+
+
+def test_what_was_made_for_a_key_is_only_read_again(cache):
+    assert jit.kept("a key", lambda: (1, b"code")) == (1, b"code")
+    assert jit.kept("a key", None) == (1, b"code")
+    assert jit.kept("another", lambda: 2) == 2 and jit.trouble() is None
+
+
+@pytest.mark.parametrize("damage", [lambda data: b"", lambda data: data[:-9], swapped])
+def test_what_was_damaged_is_made_again_and_kept_again(cache, damage):
+    jit.kept("a key", lambda: "made")
+    (path,) = cache.iterdir()
+    path.write_bytes(damage(path.read_bytes()))
+    assert jit.kept("a key", lambda: "again") == "again"
+    assert "cannot read a compiled rule" in jit.trouble() and jit.kept("a key", None) == "again"
+
+
+def test_of_passes_the_newest_are_kept(cache, monkeypatch):
+    monkeypatch.setattr(jit, "MOST_KEPT", 3)
+    for number in range(5):
+        jit.kept(str(number), lambda number=number: number)
+        for path in cache.iterdir():
+            os.utime(path, (path.stat().st_atime, path.stat().st_mtime - 10))
+    assert len(list(cache.iterdir())) == 3 and jit.kept("4", None) == 4
+
+
+def test_without_a_folder_all_is_made(monkeypatch):
+    monkeypatch.setattr(jit, "_FOLDER", None)
+    assert jit.kept("a key", lambda: 1) == 1 and jit.kept("a key", lambda: 2) == 2
+
+
+def test_a_folder_that_cannot_be_written_costs_time_alone(cache, monkeypatch):
+    cache.write_bytes(b"no folder")
+    assert jit.kept("a key", lambda: 1) == 1 and "a compiled rule" in jit.trouble()

@@ -18,16 +18,27 @@ def machine():
     return f"{platform.machine()} {llvm.get_host_cpu_name()}, LLVM {'.'.join(map(str, llvm.llvm_version_info))}"
 
 
+def features():
+    """Return in words what this machine can do."""
+    return llvm.get_host_cpu_features().flatten()
+
+
 class MachineCode:
     """A compiled function; `address` is good as long as this object lives."""
 
-    def __init__(self, text, name):
+    def __init__(self, text, name, code=None):
+        """`code`: what `code` was of the same text and machine before; without it the text is compiled."""
         llvm.initialize_native_target()
         llvm.initialize_native_asmprinter()
         module = llvm.parse_assembly(text)
         machine = llvm.Target.from_default_triple().create_target_machine(
             cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=2
         )
+        self.code = code
         self._engine = llvm.create_mcjit_compiler(module, machine)
+        self._engine.set_object_cache(self._take, lambda module: code)
         self._engine.finalize_object()
         self.address = self._engine.get_function_address(name)
+
+    def _take(self, module, code):
+        self.code = code

@@ -1,14 +1,15 @@
 """Passes: the machine code of a rule, made when first asked for and checked before it is used."""
 
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
 
 from game.core.compiler import self_check
-from game.core.compiler.machine_code import MachineCode, lanes, machine
+from game.core.compiler.machine_code import MachineCode, features, lanes, machine
 from game.core.compiler.plan import Plan, kinds_of, plan, threshold_of
 from game.core.compiler.vector_ir import NAME, chances_of, source
+from game.core.jit import kept
 from game.core.rule_table import corners
 
 KEPT = 128  # passes in memory; each is some ten kilobytes
@@ -67,12 +68,20 @@ class _CompiledRule(NamedTuple):
 
 @lru_cache(maxsize=KEPT)
 def _compiled(table, kinds, payload, most_lanes):
-    """Return what is the same for all probabilities of the same kinds."""
+    """Return what is the same for all probabilities of the same kinds; the machine code is kept between runs."""
+    key = f"{table.digest} {kinds} {payload} {most_lanes} {machine()} {features()}"
+    gates, at_once, text, code = kept(key, partial(_made, table, kinds, payload, most_lanes))
+    return _CompiledRule(gates, MachineCode(text, NAME, code), at_once)
+
+
+def _made(table, kinds, payload, most_lanes):
+    """Return (Plan without its circuit, words at a time, LLVM IR, machine code) of a pass that was checked."""
     gates = gates_of(table, kinds)
     for at_once in dict.fromkeys((most_lanes, 1)):
-        code = MachineCode(source(gates, at_once, payload), NAME)
-        if self_check.agrees(code.address, table, gates, dict(kinds), payload, at_once):
-            return _CompiledRule(gates, code, at_once)
+        text = source(gates, at_once, payload)
+        made = MachineCode(text, NAME)
+        if self_check.agrees(made.address, table, gates, dict(kinds), payload, at_once):
+            return gates._replace(circuit=None), at_once, text, made.code
     raise RuntimeError(f"the code made for this rule moves blocks otherwise than its table says: {machine()}")
 
 
