@@ -4,8 +4,8 @@ import numpy as np
 
 from game.play.view.outlines import box_outline, mark
 from game.play.view.piece_mark import piece_mark
-from game.play.view.swatches import swatch_of
-from game.world.sand.material_codes import EMPTY, SAND
+from game.play.view.scene_picture import pixels_of
+from game.world.sand.stamp import landed
 
 
 class StampPreview:
@@ -20,24 +20,18 @@ class StampPreview:
         """Return the Marks of the stamp in hand over a place in the lattice."""
         if not self._selection.copied:
             return ()
-        box, area = self._selection.landing(place), self._display.sand_view.area
-        looks = self._selection.copied.stamp, self._sessions.now.rule.definition, self._display.theme
+        session, stamp = self._sessions.now, self._selection.copied.stamp
+        looks = stamp, session.world.codes, session.scene.made_of, self._display.colours
         if self._looks is None or any(mine is not its for mine, its in zip(self._looks, looks, strict=True)):
-            self._looks, self._pixels, self._shown = looks, self._painted(*looks), None
+            self._looks, self._pixels, self._shown = looks, self._painted(stamp, session), None
+        box, area = self._selection.landing(place), self._display.sand_view.area
         shown = box, view, tuple(area)
         if shown != self._shown:
             piece = piece_mark(self._pixels, box, view, area)
             self._shown, self._marks = shown, (*((piece,) if piece else ()), mark(box_outline(*box), view))
         return self._marks
 
-    def _painted(self, stamp, definition, theme):
-        materials = {each.name: each for each in definition.materials}
-        colours = np.zeros((len(stamp.names), 4), np.uint8)
-        for code, name in enumerate(stamp.names):
-            if code != EMPTY and name in materials:
-                colours[code] = (*theme.rgb(swatch_of(theme.colours, materials[name])), 255)
-        pixels = colours[stamp.cells]
-        if stamp.colours is not None and definition.codes.is_sand:
-            for number in np.unique(stamp.colours[stamp.cells == SAND]).tolist():
-                pixels[(stamp.colours == number) & (stamp.cells == SAND), :3] = theme.colours.swatch(number)
-        return pixels
+    def _painted(self, stamp, session):
+        world = landed(stamp, session.world.codes)
+        pixels = pixels_of(world, session.rule, session.scene.made_of, self._display.colours)
+        return np.dstack([pixels, 255 * (world.materials > 0).astype(np.uint8)])

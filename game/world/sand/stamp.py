@@ -10,6 +10,7 @@ from game.world.sand.erasing import is_in_figure
 from game.world.sand.fixtures import DRAIN, MOST
 from game.world.sand.grain_account import NO_GRAINS
 from game.world.sand.material_codes import EMPTY, SAND
+from game.world.sand.world import World
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,11 +89,21 @@ def put(world, stamp, left, top, air=False):
     if first >= last or begin >= end:
         return NO_GRAINS, changed
     part = slice(first - top, last - top), slice(begin - left, end - left)
-    landing = np.array([world.codes.code(name) or EMPTY for name in stamp.names], np.uint8)
-    new, old = landing[stamp.cells[part]], stamp.cells[part]
+    new, old = _landing(stamp, world.codes)[stamp.cells[part]], stamp.cells[part]
     taken = (new != EMPTY) | (air & (old == EMPTY))
     dyes = _dyes(stamp)[part] * (new == SAND) if world.codes.is_sand else np.zeros_like(new)
     return _lay(world, (first, last, begin, end), new, dyes, taken, changed)
+
+
+def landed(stamp, codes):
+    """Return a World of MaterialCodes with what a stamp would leave there, and nothing else."""
+    cells = _landing(stamp, codes)[stamp.cells]
+    return World.of_codes(cells, codes, 0, _dyes(stamp) * (cells == SAND) if codes.is_sand else None)
+
+
+def _landing(stamp, codes):
+    """Return the code of each of a stamp's codes among MaterialCodes: that of air where there is no such material."""
+    return np.array([codes.code(name) or EMPTY for name in stamp.names], np.uint8)
 
 
 def _lay(world, place, new, dyes, taken, changed):
