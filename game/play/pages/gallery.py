@@ -4,6 +4,7 @@ import pygame
 
 from game.play.controls import keymap
 from game.play.pages.file_shelf import BY_AGE, BY_NAME, REPLAYS, SCENES, STAMPS, FileShelf
+from game.play.pages.gallery_head import GAP, HEAD, GalleryHead, ShelfAction
 from game.play.pages.shipped_scenes import ShippedScenes
 from game.play.ui import draw_list
 from game.play.ui import theme as look
@@ -12,13 +13,11 @@ from game.play.ui.scroll import thumb
 from game.play.ui.text_line import TYPING_KEYS, TextLine, types
 
 PAD = 20  # pixels at scale 1: around the page
-GAP = 10
-HEAD, FOOT = 40, 46
+FOOT = 46
 NAME = 24  # height of a name under its picture
 NARROWEST = 132  # tile; what does not fit then is scrolled to
 LEAST = 6  # tiles that a page has room for: fewer are no larger
 PICTURE = 0.72  # height of a picture, as a share of its width
-PILL = 8  # from the edge of what can be clicked to its words
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 ENTERS = pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE
 GOES_ON = {
@@ -87,54 +86,36 @@ class GalleryPage:
 
     def tab(self, number):
         """Return the rect in the window of a shelf's title."""
-        theme, x = self._display.theme, self._page().x
-        for shelf in self.shelves[:number]:
-            x += theme.width(shelf.title, look.HEADING) + 2 * theme.px(GAP)
-        return pygame.Rect(x, 0, theme.width(self.shelves[number].title, look.HEADING), theme.px(HEAD))
-
-    @property
-    def actions(self):
-        """What can be done with the chosen file and its shelf, by keys and clicks: [(words, key's name, key, act)]."""
-        shelf = self.shelf
-        if not shelf.lets_go:
-            return []
-        found = []
-        if len(shelf):
-            other = BY_NAME if shelf.order == BY_AGE else BY_AGE
-            found.append(("Rename", "R", pygame.K_r, self._begin_typing))
-            found.append(("Delete", "Del", pygame.K_DELETE, self._put_away))
-            found.append((other, "S", pygame.K_s, self._sort))
-        if shelf.can_take_back:
-            found.append(("Undo", key_name("Ctrl+Z"), pygame.K_z, self._take_back))
-        return found
+        return self._head().tab(number)
 
     def action(self, words):
         """Return the rect in the window of what can be done, by its words; None if it cannot."""
-        return {told: rect for rect, (told, *_) in self._action_rects()}.get(words)
+        return {each.words: rect for rect, each in self._head().places()}.get(words)
 
-    def _action_rects(self):
-        """Yield (rect, action), from the right to the left of the head."""
-        theme, right = self._display.theme, self._page().right
-        for each in reversed(self.actions):
-            wide = theme.width(f"{each[0]}  {each[1]}", look.SMALL) + 2 * theme.px(PILL)
-            yield pygame.Rect(right - wide, theme.px(GAP), wide, theme.px(HEAD) - 2 * theme.px(GAP)), each
-            right -= wide + theme.px(GAP)
+    @property
+    def actions(self):
+        """What can be done with the chosen file and its shelf: ShelfActions."""
+        shelf, found = self.shelf, ()
+        if shelf.lets_go and len(shelf):
+            other = BY_NAME if shelf.order == BY_AGE else BY_AGE
+            found = (
+                ShelfAction("Rename", "R", pygame.K_r, False, self._begin_typing),
+                ShelfAction("Delete", "Del", pygame.K_DELETE, False, self._put_away),
+                ShelfAction(other, "S", pygame.K_s, False, self._sort),
+            )
+        if shelf.can_take_back:
+            found = (*found, ShelfAction("Undo", key_name("Ctrl+Z"), pygame.K_z, True, self._take_back))
+        return found
+
+    def _head(self):
+        titles = tuple(each.title for each in self.shelves)
+        return GalleryHead(self._display.theme, self._page(), titles, self.actions)
 
     # --- what it looks like ---
 
     def _strokes(self, surface, tiles):
-        theme, page, shelf = self._display.theme, self._page(), self.shelf
-        head = pygame.Rect(page.x, 0, page.width, theme.px(HEAD))
         strokes = [(draw_list.fill, surface.get_rect(), look.SUNKEN)]
-        for number, each in enumerate(self.shelves):
-            colour = look.HANDLE if each is shelf else look.FAINT
-            strokes.append((draw_list.words, self.tab(number), each.title, look.HEADING, colour, 0))
-        strokes.append((draw_list.words, self._hint(head), self._said(), look.SMALL, look.FAINT, 1))
-        for rect, (words, key, *_) in self._action_rects():
-            inner = rect.inflate(-2 * theme.px(PILL), 0)
-            strokes.append((draw_list.box, rect, look.RAISED, theme.px(4)))
-            strokes.append((draw_list.words, inner, words, look.SMALL, look.TEXT, 0))
-            strokes.append((draw_list.words, inner, key, look.SMALL, look.FAINT, 1))
+        strokes += self._head().strokes(self.shelves.index(self.shelf))
         for number, rect in tiles:
             strokes += self._tile_strokes(number, rect)
         return [*strokes, *self._empty(), *self._thumb(), *self._about()]
@@ -153,20 +134,6 @@ class GalleryPage:
         page, px, (columns, shown, _) = self._page(), self._display.theme.px, self._grid()
         track = pygame.Rect(page.right + px(PAD) // 2, page.y, px(4), page.height)
         return thumb(self._display.theme, track, self._top, shown, -(-len(self.shelf) // columns))
-
-    def _hint(self, head):
-        """Return what of the head is free for the hint."""
-        gap = self._display.theme.px(GAP)
-        tabs = self.tab(len(self.shelves) - 1).right + gap
-        right = min((rect.x - gap for rect, _ in self._action_rects()), default=head.right)
-        return pygame.Rect(tabs, head.y, max(0, right - tabs), head.height)
-
-    def _said(self):
-        """Return the hint that there is room for."""
-        room = self._hint(pygame.Rect(self._page().x, 0, self._page().width, 1)).width
-        long = "Arrows choose    Enter opens    Tab: next shelf    Esc closes"
-        hints = long, "Enter opens    Tab: next shelf    Esc closes", "Enter opens    Esc closes", "Esc closes", ""
-        return next(each for each in hints if self._display.theme.width(each, look.SMALL) <= room)
 
     def _tile_strokes(self, number, rect):
         px, chosen = self._display.theme.px, number == self.chosen
@@ -215,9 +182,9 @@ class GalleryPage:
         if self._typing:
             return self._type(event)
         ctrl = bool(event.mod & keymap.CTRL)
-        act = next((act for _, name, key, act in self.actions if key == event.key and ("+" in name) == ctrl), None)
-        if act:
-            act()
+        action = next((each for each in self.actions if (each.key, each.ctrl) == (event.key, ctrl)), None)
+        if action:
+            action.act()
         elif event.key in ARROWS and not event.mod & keymap.CTRL:
             dx, dy = ARROWS[event.key]
             self._choose(self.chosen + dx + dy * self._grid()[0])
@@ -282,9 +249,9 @@ class GalleryPage:
             self.chosen = under
         if not pressed:
             return
-        for rect, (*_, act) in self._action_rects():
+        for rect, action in self._head().places():
             if rect.collidepoint(event.pos):
-                act()
+                action.act()
                 return
         for number, shelf in enumerate(self.shelves):
             if self.tab(number).collidepoint(event.pos):

@@ -229,7 +229,7 @@ def test_nothing_in_the_head_of_a_shelf_lies_over_another_or_is_cut(size):
         player.key(pygame.K_z, mod=CTRL)
         gallery, theme = player.parts.gallery, player.parts.display.theme
         rects = [gallery.tab(each) for each in range(4)]
-        rects += [gallery.action(words) for words, *_ in gallery.actions]
+        rects += [gallery.action(each.words) for each in gallery.actions]
         assert all(rect.right <= size[0] for rect in rects)
         assert all(not one.colliderect(other) for one in rects for other in rects if one is not other)
         head = [each for each in player.written() if each[0].y < theme.px(40)]
