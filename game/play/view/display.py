@@ -69,7 +69,7 @@ class Display:
         self.now_s = 0.0  # when this frame is
         self.stale = False  # the view of the sand has to be drawn anew
         self._session = None  # whose worlds the view shows
-        self._shape = 1, 1  # of its lattices
+        self._shape, self._worlds = (1, 1), 1  # of its lattices, and how many there are
         self._looks = None  # what everything was laid out for
 
     @property
@@ -103,7 +103,7 @@ class Display:
         looks = session, shape, walls, substances, self._cards, settings
         if looks == self._looks:
             return False
-        self._looks, self._shape = looks, shape
+        self._looks, self._shape, self._worlds = looks, shape, len(session.sessions)
         self._renew_theme()
         self.layout = self._lay_out(self.panel_shown)
         self.window.surface.fill(self.colours.ground)
@@ -127,7 +127,7 @@ class Display:
     def _lay_out(self, panel_shown):
         return WindowLayout(
             *(self.theme, self.window.size, panel_shown, self._shape, self.plots_shown, self._cards),
-            *(self._board_height(), self.on_stage),
+            *(self._board_height(), self.on_stage, self._worlds),
         )
 
     def _sand_view_of(self, session):

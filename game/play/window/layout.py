@@ -14,6 +14,7 @@ NARROWEST_PANEL = 240  # at scale 1: all words of the controls still fit
 LOWEST_WINDOW = 160  # at scale 1: sand, pages and cards still have room
 PLOTS = 210, 132  # pixels at scale 1: width of a column of plots, height of a strip
 PLOTS_ALL, PLOTS_FEW = (450, 760), (180, 320)  # height of the one and width of the other for all plots, and for two
+PLOTS_ON_STAGE = 280, 450  # … for those that stand there
 STAGE_PLOTS = 0.38  # of the width, that a column of plots takes on the stage
 LEAST_SAND = 240  # pixels, whatever the scale, that the plots leave to the sand, or they are not shown
 COLUMN = 242  # pixels at scale 1: width of a column of cards
@@ -37,10 +38,13 @@ class WindowLayout:
     Nothing lies over the sand: plots and cards take room from its part of the window.
     """
 
-    def __init__(self, theme, size, panel_shown, shape=None, plotted=False, cards=(), board=0, on_stage=False):
+    def __init__(
+        self, theme, size, panel_shown, shape=None, plotted=False, cards=(), board=0, on_stage=False, worlds=1
+    ):
         """`shape`: of the lattice, whose plots and whose `cards`, names in CARDS, are shown beside it.
 
         board: the pixels that large letters take below the sand. on_stage: there is no status line, and plots are wide.
+        worlds: how many lattices stand side by side.
         """
         width, height = size
         self.panel = _panel_in(theme, size)
@@ -52,38 +56,39 @@ class WindowLayout:
         self.status_line = pygame.Rect(0, height - line, wide, line)
         self.plots = None  # or their rect, where there is room for them
         if plotted:
-            self._place_plots(theme, shape, STAGE_PLOTS * wide if on_stage else 0)
+            self._place_plots(theme, shape, worlds, STAGE_PLOTS * wide if on_stage else 0)
         self.cards = {}  # {name: rect}
         if cards:
-            self._place_cards(theme, shape, cards)
+            self._place_cards(theme, shape, worlds, cards)
 
-    def _place_plots(self, theme, shape, least_width):
+    def _place_plots(self, theme, shape, worlds, least_width):
         """Give the plots a column beside the sand or a strip below it, whichever leaves larger cells."""
         sand, wide, high = self.sand, max(theme.px(PLOTS[0]), round(least_width)), theme.px(PLOTS[1])
         beside = pygame.Rect(wide, 0, sand.width - wide, sand.height), pygame.Rect(0, 0, wide, sand.height)
         above, below = pygame.Rect(sand.x, 0, sand.width, sand.height - high), pygame.Rect(0, 0, sand.width, high)
-        for column, strip in (PLOTS_ALL, PLOTS_FEW):
+        for column, strip in (PLOTS_ON_STAGE if least_width else PLOTS_ALL, PLOTS_FEW):
             ways = []
             if sand.width >= wide + LEAST_SAND and sand.height >= theme.px(column):
                 ways.append(beside)
             if sand.height >= high + LEAST_SAND and sand.width >= theme.px(strip):
                 ways.append((above, below.move(0, above.bottom)))
             if ways:
-                self.sand, self.plots = max(ways, key=lambda way: _cell(way[0], shape))
+                self.sand, self.plots = max(ways, key=lambda way: _cell(way[0], shape, worlds))
                 return
 
-    def _place_cards(self, theme, shape, names):
+    def _place_cards(self, theme, shape, worlds, names):
         """Give the cards the way that leaves the largest cells, and of such ways the one that moves the sand least.
 
         They stand on both sides of the sand, in a column at its left, or in a strip below it.
         """
         ways = _beside(theme, self.sand, names), _in_a_column(theme, self.sand, names), _below(theme, self.sand, names)
-        self.sand, self.cards = max(ways, key=lambda way: _cell(way[0], shape))
+        self.sand, self.cards = max(ways, key=lambda way: _cell(way[0], shape, worlds))
 
 
-def _cell(sand, shape):
-    """Return how large a cell of a lattice is in its part of the window."""
-    return min(sand.height / shape[0], sand.width / shape[1])
+def _cell(sand, shape, worlds):
+    """Return how large a cell of a lattice is where so many of them share their part of the window."""
+    rows = [number for number in range(1, worlds + 1) if worlds % number == 0]
+    return max(min(sand.height / each / shape[0], sand.width * each / worlds / shape[1]) for each in rows)
 
 
 def _beside(theme, sand, names):

@@ -101,3 +101,13 @@ def test_cards_beside_a_glass_leave_it_where_it_is(cards):
     theme, shape = Theme(1.0), (240, 180)
     alone, with_cards = (WindowLayout(theme, (1280, 720), True, shape, cards=each).sand for each in ((), cards))
     assert View.fit(shape, *alone) == View.fit(shape, *with_cards)
+
+
+def test_plots_stand_where_worlds_side_by_side_are_largest():
+    """A single glass is higher than wide; four of them in a row are wider than high."""
+    theme, size, shape = Theme(2), (1920, 1080), (240, 180)
+    one, four = (
+        WindowLayout(theme, size, False, shape, plotted=True, on_stage=True, board=170, worlds=worlds)
+        for worlds in (1, 4)
+    )
+    assert one.plots.height > one.plots.width and four.plots.width > four.plots.height
