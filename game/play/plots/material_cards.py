@@ -9,7 +9,7 @@ from game.play.ui import theme as look
 SWATCH = 9  # pixels at scale 1
 ENTRY = 104  # the least width of a name with its number
 MOST_LEGEND = 0.5  # of the card's height, that names may take
-BOOKS = "each to the cell"
+BOOKS = "to the cell"
 
 
 def amounts_card(theme, rect, samples, names, colours):
@@ -69,7 +69,7 @@ def books_card(theme, rect, account, amounts, books):
     for book, *numbers in lines:
         words, spelt = _words(theme, book, room.width), _spelt(*numbers, book.but)
         if theme.width(spelt, look.SMALL) > room.width:
-            spelt = spelt.replace(" + 0 ", " ").replace(" – 0 ", " ")
+            spelt = _spelt(*numbers, book.but, zeros=False)
         one = theme.width(f"{words}  {spelt}", look.SMALL) <= room.width
         if top + high * (1 if one else 2) > room.bottom:
             break
@@ -88,17 +88,18 @@ def _words(theme, book, width):
     return full if theme.width(full, look.SMALL) <= width else f"{book.words}, but {len(book.but)} events"
 
 
-def _spelt(start, came, gone, other, now, but):
+def _spelt(start, came, gone, other, now, but, zeros=True):
     """Return a sum in figures: at the start, put in, taken out, what events that may did, and what is there.
 
-    other: what events under other rules before did.
+    other: what events under other rules before did. zeros: write terms that are 0, too.
     """
-    spelt = f"{start:,} + {came:,} – {gone:,}"
     by_events = now - (start + came - gone) if but else other
-    if but or other:
-        spelt += f" {'–' if by_events < 0 else '+'} {abs(by_events):,} by events"
+    terms = [f"+ {came:,}"] * bool(came or zeros) + [f"– {gone:,}"] * bool(gone or zeros)
+    if by_events or (but and zeros):
+        terms.append(f"{'–' if by_events < 0 else '+'} {abs(by_events):,} by events")
     kept = start + came - gone + by_events
-    return f"{spelt} = {kept:,}" + ("" if kept == now else f", but {now:,} are there")
+    spelt = " ".join([f"{start:,}", *terms, f"= {kept:,}"])
+    return spelt if kept == now else f"{spelt}, but {now:,} are there"
 
 
 def _sum(account, codes):

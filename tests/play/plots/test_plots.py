@@ -9,7 +9,7 @@ import pygame
 import pytest
 
 from game import load_rule
-from game.play.plots import charts
+from game.play.plots import charts, material_cards
 from game.play.plots.reactions_card import figure
 from game.play.ui import draw_list
 from game.play.ui import theme as look
@@ -278,7 +278,7 @@ def test_a_world_of_several_materials_shows_each_with_its_name_number_and_colour
     for name in ("sand", "water", "oil"):
         assert f"{amounts[name]:,}" in written and name in written
     start = player.session.account.start_by_kind[world.codes.code("oil")]
-    assert f"{start:,} + 0 – 0 = {start:,}" in written and "each to the cell" in written
+    assert f"{start:,} + 0 – 0 = {start:,}" in written and "to the cell" in written
     assert f"{amounts['water']:,} cells of water" in written
     pygame.display.quit()
 
@@ -386,3 +386,18 @@ def test_the_pile_is_drawn_to_scale_as_it_lies_in_its_glass(glass, size, scale):
         assert abs(room.height - top - edge * cell) <= cell * (near + 1) + 2
         assert abs(room.height - bottom - ground * cell) <= 3 * cell + 2
         assert 0 <= top < bottom <= room.height
+
+
+@pytest.mark.parametrize(
+    ("numbers", "but", "whole", "short"),
+    [
+        ((364, 0, 0, 0, 364), ("a",), "364 + 0 – 0 + 0 by events = 364", "364 = 364"),
+        ((364, 5, 0, 0, 350), ("a",), "364 + 5 – 0 – 19 by events = 350", "364 + 5 – 19 by events = 350"),
+        ((96, 0, 0, 0, 96), (), "96 + 0 – 0 = 96", "96 = 96"),
+        ((96, 0, 10, -6, 80), (), "96 + 0 – 10 – 6 by events = 80", "96 – 10 – 6 by events = 80"),
+        ((96, 0, 0, 0, 95), (), "96 + 0 – 0 = 96, but 95 are there", "96 = 96, but 95 are there"),
+    ],
+)
+def test_a_sum_is_spelled_whole_or_without_what_is_zero(numbers, but, whole, short):
+    assert material_cards._spelt(*numbers, but) == whole
+    assert material_cards._spelt(*numbers, but, zeros=False) == short
