@@ -104,12 +104,12 @@ class App:
             or self.parts.rewind.words
             or self.parts.fast_forward.words
         )
-        layout, badge = display.layout, self.parts.camera.badge
-        strips = {tuple(layout.bar): self.parts.time_bar.drawing(session)}
+        layout, buttons = display.layout, self.parts.view_buttons
+        strips = {tuple(layout.bar): self.parts.time_bar.drawing(session), tuple(layout.buttons): buttons.drawing()}
         if layout.status_line.height:
             strips[tuple(layout.status_line)] = self.parts.status_line.drawing(
                 *(display.theme, layout.status_line, session, said, self.parts.timer.words),
-                *(self.parts.notices.line, badge if badge.shown else None),
+                *(self.parts.notices.line, buttons.words or self.parts.camera.badge.words),
             )
         if layout.board.height:
             strips[tuple(layout.board)] = self.parts.stage.drawing(display.theme, layout.board)
@@ -164,6 +164,7 @@ class App:
         self._anew = True
         self.parts.camera.keep(view if display.sand_view is before else None)
         self.parts.time_bar.place(display.layout.bar, display.theme)
+        self.parts.view_buttons.place(display.layout.buttons, display.theme)
         self.parts.renderer.forget()
         self.parts.plots.forget()
         self.parts.panel.ui.invalidate()

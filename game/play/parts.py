@@ -17,6 +17,7 @@ from game.play.controls.ruler import Ruler
 from game.play.controls.stage import Stage
 from game.play.controls.stamp_preview import StampPreview
 from game.play.controls.time_bar import TimeBar
+from game.play.controls.view_buttons import ViewButtons
 from game.play.forecast.density import Density
 from game.play.forecast.forecasting import Forecasting
 from game.play.frame_step import FrameStep
@@ -61,6 +62,7 @@ from game.play.view.differences import Differences
 from game.play.view.display import Display
 from game.play.view.frame_stats import FrameStats
 from game.play.view.hints import Hints
+from game.play.view.minimap import Minimap
 from game.play.view.notices import Notices
 from game.play.view.renderer import Renderer
 from game.play.view.room_hint import RoomHint
@@ -111,6 +113,7 @@ class Parts:
         self.density = Density(self.sessions, self.display, self.notices)
         self.differences = Differences(self.sessions, self.display)
         self.plots = Plots(self.sessions, self.display, self.frame_stats, self.background, self.notices)
+        self.minimap = Minimap(self.sessions, self.display)
         self.dialog = Dialog(self.display)
         self.photo_import = PhotoImport(self.sessions, self.display)
         self.rule_change = RuleChange(self.sessions, self.background)
@@ -153,7 +156,8 @@ class Parts:
         sessions, display, notices, brush = self.sessions, self.display, self.notices, self.brush
         self.rewind, self.time_bar = Rewind(), TimeBar()
         self.stamp_preview = StampPreview(sessions, display, brush.selection)
-        self.camera = Camera(sessions, display, self.pointer, brush, lambda: self.commands.time.pause())
+        self.camera = Camera(sessions, display, self.pointer, brush, self.minimap, lambda: self.commands.time.pause())
+        self.view_buttons = ViewButtons(self.pointer, lambda command: self.commands.give(command))
         self.cursor = KeyboardCursor(sessions, brush, self.panel.ui.focus)
         self.fast_forward = FastForward(sessions, self.background, notices, self.keys)
         self.comparing = Comparing(
@@ -174,7 +178,7 @@ class Parts:
             PieceCommands(sessions, notices, brush, self.stamps),
         )
         self.panel.hold(self._sections())
-        first = self.rewind, self.camera, self.fast_forward
+        first = self.view_buttons, self.rewind, self.camera, self.fast_forward
         on_window = {
             pygame.QUIT: lambda event: self.quit(),
             pygame.WINDOWFOCUSLOST: lambda event: self.let_go(),
@@ -190,7 +194,7 @@ class Parts:
         self.frame_step = FrameStep(sessions, display, self.settings, self.time_bar, self.rewind, pacers)
         self.renderer = Renderer(display)
         self.cards = self.name_card, self.canvas_card, self.photo_import, self.dialog  # the first lies on top
-        self.overlays = [self.glow, self.block_card, self.ruler, *self.cards[::-1]]
+        self.overlays = [self.glow, self.block_card, self.ruler, self.minimap, *self.cards[::-1]]
         hints = Hints(self.settings, sessions, display, notices)
         room_hint = RoomHint(sessions, display, notices)
         self.watchers = [

@@ -20,10 +20,11 @@ MISTAKE_S = 0.7  # a finger that has painted for less than this meant to be one 
 class Camera:
     """Hears wheel, drags and fingers, obeys the keys, and keeps what is in the middle when the window changes."""
 
-    def __init__(self, sessions, display, pointer, brush, on_tap):
+    def __init__(self, sessions, display, pointer, brush, minimap, on_tap):
         """`on_tap()` is called when Space was pressed and has dragged nothing."""
         self._sessions, self._display, self._pointer = sessions, display, pointer
-        self._brush, self._on_tap = brush, on_tap
+        self._brush, self._minimap, self._on_tap = brush, minimap, on_tap
+        self._on_map = False  # a press on the minimap is held
         self.badge = ZoomBadge(display)
         self._drag = None  # where the pointer was that drags the lattice along, and the button that does
         self._ctrl = False  # a Ctrl key is held
@@ -83,6 +84,7 @@ class Camera:
     def let_go(self):
         """Forget what is held: nobody may hear it come up."""
         self._drag = self._space = self._pinch = None
+        self._on_map = False
         self._fingers.clear()
         self._swallows = self._ctrl = False
 
@@ -103,8 +105,9 @@ class Camera:
 
     @property
     def busy(self):
-        """Whether the lattice is being dragged or pinched, so that no brush is to be seen."""
-        return self._drag is not None or self._pinch is not None or self._space is not None
+        """Whether the pointer is on the map, or drags or pinches the lattice, so that no brush is to be seen."""
+        on_map = self._on_map or (self._pointer.place is not None and self._minimap.is_at(self._pointer.place))
+        return self._drag is not None or self._pinch is not None or self._space is not None or on_map
 
     # --- events ---
 
@@ -117,6 +120,10 @@ class Camera:
     def _press(self, event):
         if self._swallows and getattr(event, "touch", False):
             return True
+        if self._minimap.is_at(event.pos) and not self._drag and not self._brush.painting:
+            self._on_map = event.button == LEFT
+            self._follow_map(event.pos)
+            return True
         drags = event.button == MIDDLE or (event.button == LEFT and self._space is not None)
         if self._drag or not drags or not self._sand_view.area.collidepoint(event.pos):
             return False
@@ -125,6 +132,9 @@ class Camera:
 
     def _motion(self, event):
         if self._swallows and getattr(event, "touch", False):
+            return True
+        if self._on_map:
+            self._follow_map(event.pos)
             return True
         if not self._drag:
             return False
@@ -137,6 +147,9 @@ class Camera:
 
     def _release(self, event):
         if self._swallows and getattr(event, "touch", False):
+            return True
+        if self._on_map and event.button == LEFT:
+            self._on_map = False
             return True
         if not self._drag or event.button != self._drag[1]:
             return False
@@ -226,6 +239,11 @@ class Camera:
     @property
     def _sand_view(self):
         return self._display.sand_view
+
+    def _follow_map(self, pos):
+        """Show what the minimap shows at a place, while it is held there."""
+        if self._on_map:
+            self._show(self._sand_view.view.cell, self._minimap.place(pos), *self._sand_view.area.center)
 
     def _shift(self, right, down):
         """Drag the lattice by pixels."""

@@ -7,6 +7,7 @@ from game.play.ui import theme as look
 
 GAP = "    "
 KEY = "F1  all keys"
+BESIDE = 12  # pixels at scale 1 between the words and those at the right
 NEAR = 0.05  # a speed that differs less from the one that is set is shown as that: the line keeps still
 
 
@@ -28,12 +29,11 @@ class StatusLine:
         self._pace, self._grains = _pace(reading, session), _told(grains, account, session.rule.codes, material)
         self._alarm = (reading.full and not session.paused) or not balanced
 
-    def drawing(self, theme, rect, session, said="", aside="", notice=None, badge=None):
+    def drawing(self, theme, rect, session, said="", aside="", notice=None, badge=""):
         """Return the strokes of the line in `rect`: a value that changes only when the line does.
 
         said: goes first, and is to be noticed. aside: goes first where nothing is said. notice: (text, whether it
-        tells of trouble) or None; it has the upper row, or both if it is long. badge: the ZoomBadge at the right, or
-        None.
+        tells of trouble) or None; it has the upper row, or both if it is long. badge: words at the right, or "".
         """
         px = theme.px
         words = pygame.Rect(rect).inflate(-2 * px(12), 0)
@@ -56,7 +56,9 @@ class StatusLine:
         """Return the strokes of what the line says when nothing has happened."""
         px, badge_strokes = theme.px, []
         if badge:
-            badge_strokes, words = badge.drawing(theme, words)
+            badge_strokes = [(draw_list.words, tuple(words), badge, look.SMALL, look.TEXT, 1)]
+            words = pygame.Rect(words)
+            words.width = max(0, words.width - theme.width(badge, look.SMALL) - px(BESIDE))
         first = [said or aside] if said or aside else []
         if session.now < session.reached:
             first.append(f"Iteration {session.now:,} of {session.reached:,}")

@@ -9,6 +9,7 @@ from game.world.sand import parameters
 
 MARGIN = 8  # pixels at scale 1 around the sand
 TIME_BAR, STATUS_LINE = 22, 40  # their heights in pixels at scale 1; the line has room for two rows of words
+BUTTONS = 112  # width in pixels at scale 1 of those beside the time bar
 PANEL = 300  # its width in pixels at scale 1
 NARROWEST_PANEL = 240  # at scale 1: all words of the controls still fit
 LOWEST_WINDOW = 160  # at scale 1: sand, pages and cards still have room
@@ -51,7 +52,9 @@ class WindowLayout:
         wide = width - (self.panel.width if panel_shown else 0)
         bar, line = theme.px(TIME_BAR), 0 if on_stage else theme.px(STATUS_LINE)
         self.sand = pygame.Rect(0, 0, wide, max(1, height - bar - line - board))
-        self.bar = pygame.Rect(0, self.sand.bottom, wide, bar)
+        buttons = min(theme.px(BUTTONS), wide // 2)
+        self.bar = pygame.Rect(0, self.sand.bottom, wide - buttons, bar)
+        self.buttons = pygame.Rect(self.bar.right, self.bar.y, buttons, bar)
         self.board = pygame.Rect(0, self.bar.bottom, wide, board)  # of large letters
         self.status_line = pygame.Rect(0, height - line, wide, line)
         self.plots = None  # or their rect, where there is room for them

@@ -43,7 +43,7 @@ def is_fresh(player):
     """Return whether what is on the sand view is what would be drawn there from nothing."""
     player.pointer = None
     player.frame(elapsed_ns=0)  # the tool's outline goes with the pointer
-    while any(each.shown for each in player.parts.overlays):
+    while any(each.shown for each in player.parts.overlays if each is not player.parts.minimap):
         player.now_s += 60  # what is said goes away
         player.wait(1)
     before = shown(player)

@@ -93,7 +93,7 @@ def test_nor_with_all_folds_open(glass, size, scale, unfolded):
 def test_the_parts_of_the_window_share_it_without_a_gap(glass, size, scale):
     seen(glass, size, scale)
     layout = glass.parts.display.layout
-    parts = {name: getattr(layout, name) for name in ("panel", "sand", "bar", "status_line")}
+    parts = {name: getattr(layout, name) for name in ("panel", "sand", "bar", "buttons", "status_line")}
     assert overlapping(parts) is None
     assert sum(rect.width * rect.height for rect in parts.values()) == size[0] * size[1]
     assert layout.sand.width >= size[0] // 2 - 1 and layout.sand.height > size[1] // 2

@@ -90,7 +90,14 @@ def test_all_parts_have_a_place_of_their_own(size, scale, shape):
         cards = ("legend",) * legend + ("figures",) * figures
         layout = WindowLayout(theme, size, panel, shape, plotted, cards)
         assert set(layout.cards) == set(cards)
-        rects = [layout.sand, layout.bar, layout.status_line, *layout.cards.values(), *[layout.panel] * panel]
+        rects = [
+            layout.sand,
+            layout.bar,
+            layout.buttons,
+            layout.status_line,
+            *layout.cards.values(),
+            *[layout.panel] * panel,
+        ]
         rects += [layout.plots] if layout.plots else []
         assert all(window.contains(rect) and min(rect.size) > 0 for rect in rects)
         assert not any(one.colliderect(other) for one, other in combinations(rects, 2))
