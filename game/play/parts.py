@@ -116,7 +116,7 @@ class Parts:
         self.minimap = Minimap(self.sessions, self.display)
         self.dialog = Dialog(self.display)
         self.photo_import = PhotoImport(self.sessions, self.display)
-        self.rule_change = RuleChange(self.sessions, self.background)
+        self.rule_change = RuleChange(self.sessions, self.background, self.notices)
         self.rule_files = RuleFiles(self.sessions, self.rule_change, self.background, self.notices)
         self.name_card = NameCard(self.display)
         self.files = Files(

@@ -34,7 +34,7 @@ class CompareSection:
         if ui.button("Back to one world", key="Shift+H", name="Compare"):
             self._commands.sand.compare()
         now = 1 if self._differences.shown else 2 if self._density.shown else 0
-        chosen = ui.segmented("Over it", ("Sand", "Differs", "Density"), now, tip=OVER_TIP)
+        chosen = ui.segmented("Show", ("Sand", "Differs", "Density"), now, tip=OVER_TIP)
         if chosen != now:
             toggles = None, self._commands.view.toggle_differences, self._commands.view.toggle_density
             (toggles[chosen] or toggles[now])()

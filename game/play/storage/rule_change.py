@@ -8,6 +8,8 @@ from game.world.background.rule_warmup import ReadyRules, make_ready
 from game.world.rules.rule_text import RuleError
 from game.world.sessions.action import SetRule
 
+KEPT = "That is what the worlds differ in: each keeps what its title says."
+
 
 class WantedRule(NamedTuple):
     """A rule that is on its way."""
@@ -22,8 +24,8 @@ class WantedRule(NamedTuple):
 class RuleChange:
     """The rule that is wanted, on its way to being played. What is wanted later takes the place of it."""
 
-    def __init__(self, sessions, background):
-        self._sessions, self._background = sessions, background
+    def __init__(self, sessions, background, notices):
+        self._sessions, self._background, self._notices = sessions, background, notices
         self._ready = ReadyRules()
         self._wanted = self._rule = None  # the WantedRule, and the rule itself once it can be played
         self._working = False  # a rule is being compiled
@@ -103,7 +105,9 @@ class RuleChange:
         self._begin()
 
     def _do(self, rule, then):
-        changed = self._sessions.do(SetRule(rule), join=self._joins)
+        changed, session = self._sessions.do(SetRule(rule), join=self._joins), self._sessions.now
+        if not changed and len(session.sessions) > 1 and rule != session.rule:
+            self._notices.say(KEPT)
         self._joins = True
         if then:
             then(changed)

@@ -92,7 +92,7 @@ def test_by_mouse_alone_two_orders_are_compared_and_their_differences_saved(pape
     paper.session.clock.speed = 10_000
     paper.click(paper.control("Run to t"))
     paper.wait(60)
-    choose(paper, "Over it", 1)
+    choose(paper, "Show", 1)
     paper.wait(1)
     assert paper.parts.differences.shown and notes(paper)[0] != "0 cells differ"
     paper.click(paper.control("Save comparison"))
@@ -103,7 +103,7 @@ def test_by_mouse_alone_two_orders_are_compared_and_their_differences_saved(pape
     framed = paper.parts.display.sand_view.framed
     sizes = [Image.open(path).size for path in (own_folder / "measures").glob("*.png")]
     assert sizes == [rect.size for rect in framed.values()]
-    choose(paper, "Over it", 0)
+    choose(paper, "Show", 0)
     assert not paper.parts.differences.shown
     paper.click(paper.control("Compare"))
     assert not isinstance(paper.session, Comparison)
@@ -220,3 +220,14 @@ def test_what_is_no_longer_wanted_is_dropped():
     thread = DensityThread()
     assert not thread.working
     thread.close()
+
+
+def test_what_the_worlds_differ_in_is_kept_and_that_is_said(paper):
+    paper.key(pygame.K_h, "H", SHIFT)
+    paper.click(paper.control("p", 0.4))
+    assert "keeps what its title says" in paper.parts.notices.text
+    assert [each.rule.p for each in paper.session.sessions.values()] == [0.25, 0.5, 0.75, 1.0]
+    paper.unfold("Bias, schedule and file")
+    paper.click(paper.control("Bias", 0.8))
+    paper.wait(1)
+    assert all(each.rule.bias > 0 for each in paper.session.sessions.values())
