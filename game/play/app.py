@@ -141,12 +141,13 @@ class App:
         if self.parts.camera.busy or self.parts.photo_import.shown:
             return ()
         brush, place = self.parts.brush, self.parts.pointer.place
-        if self.parts.cursor.on and not brush.by_mouse:
-            preview = self.parts.stamp_preview.marks(self.parts.cursor.place, view) if brush.tool == "stamp" else ()
-            return (*preview, *self.parts.cursor.marks(view))
-        if place and brush.tool == "stamp":
-            return self.parts.stamp_preview.marks(view.place(*place), view) or brush.marks(view.place(*place), view)
-        return brush.marks(view.place(*place), view) if place else brush.lasting_marks(view)
+        by_cursor = self.parts.cursor.on and not brush.by_mouse
+        at = self.parts.cursor.place if by_cursor else place and view.place(*place)
+        piece = at and brush.piece_at(at)
+        carried = self.parts.stamp_preview.marks(*piece, view) if piece else ()
+        if by_cursor:
+            return (*carried, *self.parts.cursor.marks(view))
+        return carried or (brush.marks(at, view) if at else brush.lasting_marks(view))
 
     def _note(self, work_ns, own_work_ns, now_s):
         """Note what the frame took."""

@@ -155,7 +155,7 @@ class Parts:
         """Make what keys and pointer work, and tell in which order all parts hear and are seen."""
         sessions, display, notices, brush = self.sessions, self.display, self.notices, self.brush
         self.rewind, self.time_bar = Rewind(), TimeBar()
-        self.stamp_preview = StampPreview(sessions, display, brush.selection)
+        self.stamp_preview = StampPreview(sessions, display)
         self.camera = Camera(sessions, display, self.pointer, brush, self.minimap, lambda: self.commands.time.pause())
         self.view_buttons = ViewButtons(self.pointer, lambda command: self.commands.give(command))
         self.cursor = KeyboardCursor(sessions, brush, self.panel.ui.focus)

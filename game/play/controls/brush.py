@@ -231,6 +231,13 @@ class Brush:
         outlines = self._gesture.outlines() if self.painting and self._gesture.outlines else None
         return tuple(mark(outline, view) for outline in outlines or [self._aim(place)])
 
+    def piece_at(self, place):
+        """Return what is carried, or the stamp in hand over a place, as (Stamp, box in the lattice); or None."""
+        if isinstance(self._gesture, SelectTool):
+            return self._gesture.carried
+        stamp = self.tool == "stamp" and self.selection.copied
+        return (stamp.stamp, self.selection.landing(place)) if stamp else None
+
     def lasting_marks(self, view):
         """Return the Marks that show what is selected, wherever the pointer is."""
         selected = not self.painting and self.selection.box

@@ -93,4 +93,4 @@ class PieceCommands:
 
     def _slowly(self, words, act):
         left, top, right, bottom = self._selection.box
-        self._sessions.slowly(words, act, (right - left) * (bottom - top))
+        self._sessions.slowly(words, lambda: self._selection.box and act(), (right - left) * (bottom - top))

@@ -88,23 +88,26 @@ class Selection:
 class SelectTool:
     """Selects a rectangle, or carries what is selected where the button goes down in it."""
 
-    def __init__(self, brush, place, _world):
+    def __init__(self, brush, place, world):
         self._selection, self._start, self._end = brush.selection, place, place
-        self._carries = self._selection.covers(place)
+        self._box = self._selection.box if self._selection.covers(place) else None  # that is carried
+        self._stamp = cut_out(world, self._box) if self._box else None  # what was in it when it was taken up
 
     def go(self, place, _straight):
         """Stretch the rectangle to a place, or carry what is selected there."""
         self._end = place
-        if not self._carries:
+        if not self._stamp:
             self._selection.box = box(self._start, place)
         return []
 
     def end(self, place, straight):
         """Select what was drawn, nothing by a mere click; or let go of what was carried."""
         self.go(place, straight)
-        if not self._carries:
+        if not self._stamp:
             if cell(self._start) == cell(place):
                 self._selection.box = None
+            return []
+        if self._selection.box != self._box:  # another lattice has come
             return []
         ends, (left, top, right, bottom) = self._selection.ends, self._there()
         self._selection.box = left, top, right, bottom
@@ -112,13 +115,18 @@ class SelectTool:
 
     def outlines(self):
         """Return the outline of what is selected, where it is carried."""
-        there = self._there() if self._carries else self._selection.box
+        there = self._there() if self._stamp else self._selection.box
         return [box_outline(*there)] if there else []
+
+    @property
+    def carried(self):
+        """What is carried, as (Stamp, the box in which it would lie), or None."""
+        return (self._stamp, self._there()) if self._stamp else None
 
     def _there(self):
         """Return where what is selected has been carried, as a box."""
         (column, row), (from_column, from_row) = cell(self._end), cell(self._start)
-        left, top, right, bottom = self._selection.box
+        left, top, right, bottom = self._box
         across, down = column - from_column, row - from_row
         return left + across, top + down, right + across, bottom + down
 

@@ -1,4 +1,4 @@
-"""The stamp's preview: the stamp in hand as it would lie under the pointer."""
+"""The preview of a piece: what is carried, or the stamp in hand, as it would lie under the pointer."""
 
 import numpy as np
 
@@ -9,22 +9,19 @@ from game.world.sand.stamp import landed
 
 
 class StampPreview:
-    """Shows the stamp in hand, without what the rule of the world that is played has no material for."""
+    """Shows a stamp, without what the rule of the world that is played has no material for."""
 
-    def __init__(self, sessions, display, selection):
-        self._sessions, self._display, self._selection = sessions, display, selection
+    def __init__(self, sessions, display):
+        self._sessions, self._display = sessions, display
         self._looks = self._pixels = None  # of what, and its (H, W, 4) uint8 pixels
         self._shown = self._marks = None  # where, and as what, it was shown last
 
-    def marks(self, place, view):
-        """Return the Marks of the stamp in hand over a place in the lattice."""
-        if not self._selection.copied:
-            return ()
-        session, stamp = self._sessions.now, self._selection.copied.stamp
+    def marks(self, stamp, box, view):
+        """Return the Marks of a stamp that would lie in a box of the lattice."""
+        session, area = self._sessions.now, self._display.sand_view.area
         looks = stamp, session.world.codes, session.scene.made_of, self._display.colours
         if self._looks is None or any(mine is not its for mine, its in zip(self._looks, looks, strict=True)):
             self._looks, self._pixels, self._shown = looks, self._painted(stamp, session), None
-        box, area = self._selection.landing(place), self._display.sand_view.area
         shown = box, view, tuple(area)
         if shown != self._shown:
             piece = piece_mark(self._pixels, box, view, area)

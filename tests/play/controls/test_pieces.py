@@ -220,6 +220,19 @@ def test_all_is_selected_and_what_is_selected_does_not_outlast_its_lattice(drawn
     assert drawn.parts.brush.selection.box is None
 
 
+def test_a_piece_is_let_go_of_where_another_lattice_comes_meanwhile(drawn):
+    drawn.key(pygame.K_f, mod=SHIFT)
+    drawn.wait(60)
+    select(drawn)
+    drawn.button(pygame.MOUSEBUTTONDOWN, drawn.pixel(30, 15))
+    drawn.move(drawn.pixel(50, 30))
+    drawn.key(pygame.K_z, mod=CTRL)
+    before = drawn.world.digest()
+    drawn.move(drawn.pixel(60, 40))
+    drawn.button(pygame.MOUSEBUTTONUP, drawn.pixel(60, 40))
+    assert drawn.world.digest() == before and not drawn.parts.brush.selection.box
+
+
 def test_the_stamp_is_seen_where_it_would_land(drawn):
     select(drawn)
     drawn.key(pygame.K_c, mod=CTRL)
