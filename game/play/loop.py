@@ -6,8 +6,8 @@ import pygame
 
 from game.play.app import App
 from game.play.frame_wait import FrameWait
-from game.play.ui import draw_list
 from game.play.ui import theme as look
+from game.play.view.splash import Progress, Splash
 from game.play.window.allocator import freeze_objects, return_freed_memory
 from game.play.window.layout import WindowLayout, first_scale, first_size, room_of, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
@@ -100,28 +100,12 @@ def run(app, later=None):
 
 def _make_ready(window, theme, worker):
     """Show a splash that says what a StepThread is at until it is done; return whether the player stayed."""
-    steps = worker.steps
+    steps, splash, progress = worker.steps, Splash(theme), Progress(len(worker.steps))
     while not worker.wait(1 / 30):
         if is_asked_to_end() or any(event.type == pygame.QUIT for event in pygame.event.get()):
             return False
-        number = min(worker.done, len(steps) - 1)
+        number, now_s = min(worker.done, len(steps) - 1), time.monotonic()
         words = f"Compiling {steps[number][0]} … ({number + 1} of {len(steps)}, once on this machine)"
-        _draw_splash(window.surface, theme, words, number / len(steps))
+        splash.draw(window.surface, words, progress.at(number, now_s), now_s)
         window.show()
     return True
-
-
-def _draw_splash(surface, theme, what, part):
-    """Fill the window with the title, what is being made ready, and how much of it is done (0 … 1)."""
-    px = theme.px
-    width, height = surface.get_size()
-    surface.fill(theme.rgb(look.SUNKEN))
-    middle = height // 2
-    draw_list.words(
-        surface, theme, (0, middle - px(64), width, px(30)), "Sandglass", look.HEADING, look.BRIGHT_ACCENT, 0.5
-    )
-    draw_list.words(surface, theme, (0, middle - px(32), width, px(24)), what, look.BODY, look.DIM, 0.5)
-    track = pygame.Rect(0, 0, px(220), px(4))
-    track.center = width // 2, middle + px(12)
-    surface.fill(theme.rgb(look.GROOVE), track)
-    surface.fill(theme.rgb(look.ACCENT), (track.x, track.y, round(track.width * part), track.height))
