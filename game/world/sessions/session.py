@@ -94,6 +94,7 @@ class Session:
 
     def seek(self, now, budget_ns=None):
         """Go to iteration `now` and return whether it is reached; `frame` goes on with what the budget cut off."""
+        self.halt_at = None
         arrived = self.timeline.seek(now, budget_ns)
         self._keep_pace()
         return arrived

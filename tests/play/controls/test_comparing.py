@@ -8,7 +8,6 @@ import pytest
 from PIL import Image
 
 from game.play.ui.input import key_name
-from game.world.background.density_thread import DensityThread
 from game.world.sand.differences import differing
 from game.world.sand.ensemble import counts_at
 from game.world.sessions.comparison import Comparison
@@ -216,10 +215,12 @@ def test_the_iteration_of_the_world_is_reached_from_either_side(paper):
     assert paper.world.iteration > 77
 
 
-def test_what_is_no_longer_wanted_is_dropped():
-    thread = DensityThread()
-    assert not thread.working
-    thread.close()
+def test_who_goes_elsewhere_on_the_way_to_an_iteration_is_not_held_there(paper):
+    paper.key(pygame.K_END, "", SHIFT)
+    assert not paper.session.paused
+    paper.session.seek(300)
+    paper.wait(3)
+    assert paper.world.iteration > 300 and not paper.session.paused
 
 
 def test_what_the_worlds_differ_in_is_kept_and_that_is_said(paper):
