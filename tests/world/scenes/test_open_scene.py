@@ -54,3 +54,11 @@ def test_a_photo_and_a_saved_scene_are_played_from_the_command_line(tmp_path, sa
     for path in (tmp_path / "photo.png", saved[0]):
         assert main(["headless", "--scene", str(path), "--frames", "20"]) == 0
         assert path.stem in capsys.readouterr().out
+
+
+def test_a_photo_to_start_with_begins_with_the_threshold_that_suits_it(tmp_path):
+    pixels = np.full((40, 60), 30, np.uint8)
+    pixels[10:30, 20:40] = 90
+    Image.fromarray(pixels).save(tmp_path / "dark.jpg", quality=95)
+    scene = load_start(tmp_path / "dark.jpg").scene
+    assert scene.sand[11:29, 21:39].all() and not scene.sand[:8].any() and not scene.sand[:, :18].any()
