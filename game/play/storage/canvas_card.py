@@ -16,6 +16,8 @@ FIELDS = {side.capitalize(): replace(parameters.SIDE, name=side) for side in ("w
 KINDS = "A new one", "This one"
 WHAT_TIP = "An empty canvas in place of this one, or another size for this one, with what is on it"
 
+KEEP_TIP = "What stays where it is; what the new size has no room for is cut off"
+
 
 class CanvasCard(Card):
     """The card of a new canvas, or of another size for the one that is played, while one of them is open."""
@@ -59,15 +61,12 @@ class CanvasCard(Card):
         self._resizes = ui.segmented("Canvas", KINDS, int(self._resizes), tip=WHAT_TIP) == 1
         self._show_size(ui)
         if self._resizes:
-            ui.text("What of it stays where it is:")
             names = list(ANCHORS)
-            tips = [f"Keeps the {name} where it is; what the new size has no room for is cut off" for name in names]
-            labels = [name.capitalize() for name in names]
-            self._anchor = names[ui.grid("Keep", labels, names.index(self._anchor), 3, tips)]
+            kept = ui.choice("Keep", [name.capitalize() for name in names], names.index(self._anchor), tip=KEEP_TIP)
+            self._anchor = names[kept]
         else:
             labels = [*self._rule_files.labels]
-            self._rule = labels[ui.choice("Rule", labels, labels.index(self._rule), tip="What it is of")]
-            self._walls = ui.toggle("Walls around it", self._walls, tip="Along all four sides; outside is wall anyway")
+            self._rule = labels[ui.choice("Rule", labels, labels.index(self._rule), tip="How what you paint will move")]
         if self._error:
             ui.text(self._error)
         done, rest = self._answer_row("Resize" if self._resizes else "Create", rest)
@@ -78,17 +77,20 @@ class CanvasCard(Card):
         return rest
 
     def _show_size(self, ui):
+        ui.row(2)
         for field, line in self._lines.items():
             typed = ui.text_field(field, line, tip="In cells")
             self._error = self._error if typed.text == line.text else ""
             self._lines = {**self._lines, field: typed}
         tip = "Pixels across a cell, for a canvas that fills the window"
         self._cell = round(ui.slider("Cell size", parameters.CELL, self._cell, log=True, tip=tip))
+        ui.row(1 if self._resizes else 2)
         if ui.button("Fill the window", tip="Makes it as large as the window has room for such cells"):
-            margin = 2 * self._display.theme.px(MARGIN)
-            room = self._display.layout.sand
+            margin, room = 2 * self._display.theme.px(MARGIN), self._display.layout.sand
             self._fill(*(max(1, (side - margin) // self._cell) for side in room.size))
             self._error = ""
+        if not self._resizes:
+            self._walls = ui.toggle("Walls around", self._walls, tip="Along all four sides; outside is wall anyway")
 
     def _answer(self):
         try:

@@ -7,7 +7,7 @@ from game.play.ui import theme as look
 from game.play.ui.widgets import Ui
 
 ANSWERS = {pygame.K_RETURN: True, pygame.K_KP_ENTER: True, pygame.K_ESCAPE: False}
-TOP = 16  # pixels at scale 1, below the upper edge of the sand
+TOP = 8  # pixels at scale 1, below the upper edge of the sand
 GUESS = 120  # height in pixels at scale 1, until the controls have been laid out
 RADIUS = 8
 AWAY, PAD = 18, 8  # pixels at scale 1: of lines from the place that they tell of, and in their card

@@ -4,12 +4,23 @@ import numpy as np
 import pygame
 import pytest
 
-from game.world.sessions.action import Paint
+from game.world.sessions.action import ANCHORS, Paint
 from game.world.sessions.recording import parse
 from game.world.sessions.session import Session
 from tests.saved import recording_of, to_bytes
 
 CTRL = pygame.KMOD_LCTRL
+
+
+def pick(player, name, number):
+    """Open a list of the card and click an option in it, turned to by the wheel."""
+    player.click(player.parts.canvas_card.ui.rects[name].center)
+    player.frame()
+    popup = player.parts.canvas_card.ui.focus.popup
+    player.move(part(player, name, 0))
+    while not popup.first <= number < popup.first + popup.shown:
+        player.frame(pygame.event.Event(pygame.MOUSEWHEEL, x=0, y=popup.first - number))
+    player.click(part(player, name, number - popup.first))
 
 
 @pytest.fixture
@@ -57,7 +68,7 @@ def test_a_canvas_that_fills_the_window_is_made_by_the_mouse_alone(still):
     track = card.parts("Cell size")[0]
     still.drag(track.center, (track.left, track.centery))
     press(still, "Fill the window")
-    press(still, "Walls around it")
+    press(still, "Walls around")
     press(still, "Create")
     still.settle()
     still.frame()
@@ -70,11 +81,7 @@ def test_a_canvas_that_fills_the_window_is_made_by_the_mouse_alone(still):
 def test_a_canvas_can_be_of_another_rule(still):
     still.click(still.parts_of("New")[0].center)
     still.frame()
-    card = still.parts.canvas_card
-    still.click(card.ui.rects["Rule"].center)
-    still.frame()
-    labels = [*still.parts.rule_files.labels]
-    still.click(part(still, "Rule", labels.index("Water and oil")))
+    pick(still, "Rule", [*still.parts.rule_files.labels].index("Water and oil"))
     press(still, "Create")
     still.settle()
     assert still.session.rule.definition.name == "water-and-oil" and still.world.shape == (90, 120)
@@ -98,7 +105,14 @@ def test_another_size_keeps_what_is_on_the_canvas_and_is_told_by_the_replay(stil
     if by == "keyboard":
         still.key(pygame.K_r, mod=CTRL)
         type_in(still, "60")
-        for code in (pygame.K_TAB, *[pygame.K_TAB] * 3, pygame.K_END, pygame.K_TAB, pygame.K_RETURN):
+        for code in (
+            *[pygame.K_TAB] * 4,
+            pygame.K_RETURN,
+            pygame.K_END,
+            pygame.K_RETURN,
+            pygame.K_TAB,
+            pygame.K_RETURN,
+        ):
             still.key(code)
     else:
         still.click(still.parts_of("New")[0].center)
@@ -107,7 +121,7 @@ def test_another_size_keeps_what_is_on_the_canvas_and_is_told_by_the_replay(stil
         still.click(still.parts.canvas_card.ui.rects["Width"].center)
         type_in(still, "60")
         still.frame()
-        still.click(part(still, "Keep", 8))
+        pick(still, "Keep", list(ANCHORS).index("right"))
         press(still, "Resize")
     assert still.world.shape == (90, 60) and (still.world.materials == cells[:, 60:]).all()
     cut = int((cells[:, :60] == 1).sum())
