@@ -204,6 +204,8 @@ def test_every_control_is_worked_by_keyboard(glass, unfolded, monkeypatch):
         heard.clear()
         glass.key(next(key for key in (pygame.K_RIGHT, pygame.K_RETURN, pygame.K_DOWN) if key in keys))
         assert name in heard, name
+        if glass.parts.stage.on:
+            glass.key(pygame.K_F5)  # the panel is away there
         if name == "Copy rule":  # the copy is played as soon as it is there, and has other controls
             glass.settle()
         back(glass)

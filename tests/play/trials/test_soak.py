@@ -17,10 +17,11 @@ from game.play.trials.soak import Soak
 pygame.font.init()
 soak = Soak(seed=5)
 parts, known = soak.app.parts, ready()
+soak.run(0.05, print)
 for name in ("hourglass", "rainbow", "fountain", "city"):
     parts.sessions.load(name)
     soak.run(0.05, print)
-    shown = "view.toggle_forecast", "view.toggle_plots"
+    shown = "view.toggle_forecast", "view.toggle_plots", "view.toggle_differences", "view.toggle_density"
     for command in ("sand.flip", "sand.compare", "time.undo", "sand.compare", *shown, "time.redo"):
         parts.commands.give(command)
         soak.run(0.05, print)
