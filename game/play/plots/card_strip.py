@@ -15,6 +15,11 @@ class CardStrip:
         self._due = []  # numbers of cards
         self._stale = True
 
+    @property
+    def busy(self):
+        """Whether the next frame works a card out."""
+        return self._stale or bool(self._due)
+
     def forget(self):
         """Draw all cards anew next time, at once."""
         self._drawn, self._stale = None, True

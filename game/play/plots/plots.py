@@ -123,7 +123,7 @@ class Plots:
 
     def _watch(self, now_s):
         """Count reactions if there are any to count and it is time to."""
-        if now_s < self._next_watch_s or self._sessions.now.rule.codes.is_sand:
+        if now_s < self._next_watch_s or self._strip.busy or self._sessions.now.rule.codes.is_sand:
             return
         begin = time.perf_counter()
         self.measurements.watch()

@@ -67,7 +67,8 @@ class MotionSamples:
         last = min(iterations, done + SAMPLES)
         while done < last:
             spent_ns = time.perf_counter_ns() - start
-            late = budget_ns is not None and spent_ns >= budget_ns
+            foreseen_ns = spent_ns + spent_ns / max(done, 1)  # with one more
+            late = budget_ns is not None and foreseen_ns >= budget_ns
             if late and done and SAMPLES * spent_ns > SPARE * budget_ns * done:
                 break
             done += timeline.run(1)
