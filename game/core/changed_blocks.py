@@ -49,18 +49,17 @@ def _block(blocks, bits, lane):
 
 
 @kernel
-def changed_blocks(before, after, where, height, offset, awake, band_rows, found):
+def changed_blocks(before, after, where, height, offset, watched, band_rows, found):
     """Write the states before and after of blocks of other codes to `found`, (n, 2) int64; return their number.
 
     That may be more than n: the rest is left out. where: (words in a plane row, bits of a code, the one outside).
-    height: of the lattice. offset: the (x, y) of the iteration's partition. awake: whether cells of each band of
-    `band_rows` plane rows may have changed.
+    height: of the lattice. offset: the (x, y) of the iteration's partition. watched: whether to look at the
+    blocks that begin in each band of `band_rows` plane rows.
     """
     (words, bits, _), (x, y), number = where, offset, 0
     old, new = np.empty(4 * bits, np.uint64), np.empty(4 * bits, np.uint64)
     for row in range(-y, height, 2):
-        first, last = max(row, 0) // 2 // band_rows, min(row + 1, height - 1) // 2 // band_rows
-        if not (awake[first] or awake[last]):
+        if not watched[max(row, 0) // 2 // band_rows]:
             continue
         for word in range(words + x):
             _take(before, where, row, word, x, old)

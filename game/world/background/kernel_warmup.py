@@ -20,7 +20,7 @@ from game.world.sand.crop import Crop, CropBox
 from game.world.sand.ensemble import growing_counts
 from game.world.sand.fixtures import DRAIN, TAP, Fixture
 from game.world.sand.measure import pile_heights
-from game.world.sand.reaction_counts import coming_reactions
+from game.world.sand.reaction_counts import ReactionMeter
 from game.world.sand.world import World
 from game.world.sessions.action import Draw, Fill, Paint, Turn, apply
 
@@ -73,7 +73,7 @@ def later_steps(rule):
         *(("drawing glass", lambda cell=cell: _draw(Rule(), "glass", cell)) for cell in CELLS),
         ("the forecast", _forecast),
         ("the measures", lambda: pile_heights(_dot())),
-        ("the reactions", lambda: coming_reactions(_dot(rule=rule), rule)),
+        ("the reactions", lambda: ReactionMeter().look(_dot(rule=rule), rule)),
         ("the names of worlds", lambda: World.from_cells(*np.zeros((2, 66, 2), bool)).digest()),  # of two bands
         ("the books of colours", lambda: _dot(coloured=True).amounts),
         *((f"{what} of colours", act) for what, act in moving_steps(of_sand, coloured=True)),

@@ -27,10 +27,11 @@ class ActiveBands:
             self.schedule, self.iteration = schedule, iteration
         self.stamp += 1
 
-    def follow(self, other):
-        """Know what the ActiveBands of a world of the same cells know of which are quiet."""
-        self.quiet[:] = other.quiet
-        self.schedule, self.iteration = other.schedule, other.iteration
+    def follow(self, other, schedule, iteration, watched):
+        """Know for an iteration what the ActiveBands of an equal world know; bands that are not `watched` are still."""
+        known = other.quiet if (schedule, iteration) == (other.schedule, other.iteration) else 0
+        self.quiet[:] = np.where(watched, known, CYCLE)
+        self.schedule, self.iteration = schedule, iteration
 
     def awake(self, schedule, iteration):
         """Return which bands may change in one iteration of a schedule: a bool array."""

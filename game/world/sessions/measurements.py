@@ -6,7 +6,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from game.world.sand.measure import grains_above, pile, surface_slope
-from game.world.sand.reaction_counts import coming_reactions
+from game.world.sand.reaction_counts import ReactionMeter
 from game.world.sand.sand_colours import COLOURS
 from game.world.sessions.action import SetRule
 
@@ -50,13 +50,14 @@ class Measurements:
         self.samples = []
         self._loaded_at = session.timeline.moment.loaded_at
         self.pile = pile(session.world, row)  # at the last sample
+        self._meter = ReactionMeter()
         self._watched, self._watched_at, self._reacted = 0, None, Counter()  # iterations since the last sample
 
     def watch(self):
-        """Count the reactions of the coming iteration; it stands for those not watched until the next sample."""
+        """Count reactions of the coming iteration; it stands for those not watched until the next sample."""
         session = self.session
         if session.now != self._watched_at:
-            self._reacted += coming_reactions(session.world, session.rule)
+            self._reacted += self._meter.look(session.world, session.rule)
             self._watched, self._watched_at = self._watched + 1, session.now
 
     def follow(self, seconds, frame_ms):

@@ -350,7 +350,7 @@ def test_reactions_are_told_by_name_with_how_often_they_come_about():
 
 
 def test_closed_plots_and_those_of_sand_count_no_reactions(glass, monkeypatch):
-    monkeypatch.setattr(measurements, "coming_reactions", None)
+    monkeypatch.setattr(measurements.ReactionMeter, "look", None)
     glass.parts.commands.give("view.toggle_plots")
     glass.wait(20)
     glass.parts.commands.give("view.toggle_plots")

@@ -11,7 +11,7 @@ from game.world.rules.rule import SCHEDULES
 from game.world.sand import reaction_counts
 from game.world.sand.block_events import offset, told_events
 from game.world.sand.fixtures import TAP, Fixture
-from game.world.sand.reaction_counts import coming_reactions
+from game.world.sand.reaction_counts import ReactionMeter
 from tests.world.rules.small_rule import written
 
 ALCHEMY = load_rule("alchemy")
@@ -22,8 +22,13 @@ def world_of(*rows, rule=ALCHEMY, seed=0):
     return World.from_materials(np.array([[letters.index(cell) for cell in row] for row in rows], np.uint8), rule, seed)
 
 
+def coming_reactions(world, rule):
+    """Return what happens in the whole lattice."""
+    return ReactionMeter(parts=1).look(world, rule)
+
+
 def plain_counts(world, rule):
-    """Return what `coming_reactions` must be, block by block."""
+    """Return what that must be, block by block."""
     (x, y), after = offset(world, rule), world.copy()
     advance(after, rule, 1)
     padded = [np.pad(each.materials, 2, constant_values=world.codes.wall) for each in (world, after)]
@@ -46,6 +51,27 @@ def test_every_block_that_reacts_is_counted_once(schedule, shape):
     for _ in range(8):
         assert coming_reactions(world, rule) == plain_counts(world, rule)
         advance(world, rule, 1)
+
+
+@pytest.mark.parametrize("parts", [2, 3, 4, 99])
+def test_the_parts_together_are_the_whole(parts):
+    generator = np.random.default_rng(parts)
+    world = World.from_materials(generator.integers(0, 16, (900, 200)).astype(np.uint8), ALCHEMY, 5)
+    bands, meter = len(world.activity.quiet), ReactionMeter(parts)
+    parts = min(parts, bands)
+    assert bands > 2
+    for _ in range(3):
+        advance(world, ALCHEMY, 1)
+        together = sum((meter.look(world, ALCHEMY) for _ in range(parts)), Counter())
+        assert {name: n / parts for name, n in together.items()} == plain_counts(world, ALCHEMY)
+
+
+def test_a_meter_takes_up_another_world():
+    worlds = [world_of(*["lwlw.isf" * (3 + 2 * n)] * 9, seed=n) for n in range(2)]
+    meter = ReactionMeter()
+    for world in (*worlds, worlds[0]):
+        assert meter.look(world, ALCHEMY) == plain_counts(world, ALCHEMY)
+        advance(world, ALCHEMY, 1)
 
 
 def test_lava_in_water_is_counted_by_the_name_of_its_event():

@@ -9,7 +9,7 @@ import pytest
 
 from game import Rule, load_rule, load_scene
 from game.world.sand.measure import grains_above, pile, surface_slope
-from game.world.sand.reaction_counts import coming_reactions
+from game.world.sand.reaction_counts import ReactionMeter
 from game.world.sessions import measurements
 from game.world.sessions.action import Clear, Draw, Flip, Load, Paint, SetRule
 from game.world.sessions.measurements import Measurements
@@ -133,7 +133,7 @@ def test_iterations_not_watched_are_taken_to_be_as_those_watched():
     one.follow(0.0, 1.0)
     one.watch()
     one.watch()
-    seen = coming_reactions(session.world, session.rule)
+    seen = ReactionMeter().look(session.world, session.rule)
     session.timeline.run(10)
     one.follow(1.0, 1.0)
     assert seen and one.samples[-1].reactions == pytest.approx({name: 10 * n for name, n in seen.items()})
