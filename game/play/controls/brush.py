@@ -7,7 +7,7 @@ import pygame
 from game.play.controls.fixture_tool import FixtureTool, fresh
 from game.play.controls.gestures import Press, Span, Trail
 from game.play.controls.ruler import RulerTool
-from game.play.controls.selection import Selection, SelectTool, StampTool
+from game.play.controls.selection import MOST_SHOWN, Selection, SelectTool, StampTool
 from game.play.ui import theme as look
 from game.play.view.outlines import box_outline, brush_outline, mark
 from game.play.view.swatches import swatches_of
@@ -232,11 +232,13 @@ class Brush:
         return tuple(mark(outline, view) for outline in outlines or [self._aim(place)])
 
     def piece_at(self, place):
-        """Return what is carried, or the stamp in hand over a place, as (Stamp, box in the lattice); or None."""
+        """Return what is carried, or the stamp in hand over a place, as (Stamp, box in the lattice), if it is shown."""
         if isinstance(self._gesture, SelectTool):
             return self._gesture.carried
-        stamp = self.tool == "stamp" and self.selection.copied
-        return (stamp.stamp, self.selection.landing(place)) if stamp else None
+        copied = self.selection.copied
+        if self.tool != "stamp" or not copied or copied.stamp.cells.size > MOST_SHOWN:
+            return None
+        return copied.stamp, self.selection.landing(place)
 
     def lasting_marks(self, view):
         """Return the Marks that show what is selected, wherever the pointer is."""
@@ -246,6 +248,8 @@ class Brush:
     def _aim(self, place):
         if TOOLS[self.tool] is FixtureTool:
             return box_outline(*fresh(self, place).box)
+        if self.tool == "stamp" and self.selection.copied:
+            return box_outline(*self.selection.landing(place))
         if self.tool in ONE_CELL:
             return box_outline(*box(place, place))
         return brush_outline(self.shape, self.diameter, snap(place, self.diameter))

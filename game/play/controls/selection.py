@@ -7,6 +7,8 @@ from game.world.rules.rule import Rule
 from game.world.sand.stamp import Stamp, cut_out
 from game.world.sessions.action import Draw, Move, Paste, box, cell
 
+MOST_SHOWN = 2**22  # cells: a larger piece would hold a frame up before it is seen, and has an outline alone
+
 
 class Copied(NamedTuple):
     """A stamp, and the rule of the world that it was cut out of."""
@@ -91,19 +93,20 @@ class SelectTool:
     def __init__(self, brush, place, world):
         self._selection, self._start, self._end = brush.selection, place, place
         self._box = self._selection.box if self._selection.covers(place) else None  # that is carried
-        self._stamp = cut_out(world, self._box) if self._box else None  # what was in it when it was taken up
+        is_small = self._box is not None and _size(self._box) <= MOST_SHOWN
+        self._stamp = cut_out(world, self._box) if is_small else None  # what was in it when it was taken up
 
     def go(self, place, _straight):
         """Stretch the rectangle to a place, or carry what is selected there."""
         self._end = place
-        if not self._stamp:
+        if not self._box:
             self._selection.box = box(self._start, place)
         return []
 
     def end(self, place, straight):
         """Select what was drawn, nothing by a mere click; or let go of what was carried."""
         self.go(place, straight)
-        if not self._stamp:
+        if not self._box:
             if cell(self._start) == cell(place):
                 self._selection.box = None
             return []
@@ -115,12 +118,12 @@ class SelectTool:
 
     def outlines(self):
         """Return the outline of what is selected, where it is carried."""
-        there = self._there() if self._stamp else self._selection.box
+        there = self._there() if self._box else self._selection.box
         return [box_outline(*there)] if there else []
 
     @property
     def carried(self):
-        """What is carried, as (Stamp, the box in which it would lie), or None."""
+        """What is carried, as (Stamp, the box in which it would lie), if it is to be shown."""
         return (self._stamp, self._there()) if self._stamp else None
 
     def _there(self):
@@ -147,3 +150,8 @@ class StampTool:
         return [Paste(selection.copied.stamp, selection.landing(place)[:2], selection.air)]
 
     end = go
+
+
+def _size(cells):
+    left, top, right, bottom = cells
+    return (right - left) * (bottom - top)
