@@ -6,6 +6,7 @@ from game.world.background.rule_warmup import make_ready
 from game.world.rules.definition import load_definition
 from game.world.rules.rule import SCHEDULES, Rule
 from game.world.sand import parameters
+from game.world.sand.material_codes import SAND_NAME
 from game.world.sessions.comparison import (
     MOST,
     Comparison,
@@ -108,7 +109,13 @@ class Comparing:
 
         def take(rules):
             if self._sessions.now is session and self._sessions.ready():
-                self._open(partial(by_rule, rules=rules))
+                here = _held(session.world)
+                strange = [title for title, rule in rules.items() if here and here.isdisjoint(rule.codes.names)]
+                kept = {title: rule for title, rule in rules.items() if title not in strange}
+                if len(kept) >= FEWEST or not strange:
+                    self._open(partial(by_rule, rules=kept))
+                if strange:
+                    self._notices.say(f"Left out, for it has nothing of what is here: {', '.join(strange)}.")
 
         self._notices.say("Compiling the rules …")
         self._background.do(work, take)
@@ -125,3 +132,10 @@ class Comparing:
         titles = ", ".join(each.title for each in session.variants.values())
         words = f"The same sand with {titles}. Shift+H or Esc goes back."
         self._notices.say(words, holds=lambda: self._sessions.now is session)
+
+
+def _held(world):
+    """Return the names of the materials that fill any cell of a world."""
+    if world.codes.is_sand:
+        return {SAND_NAME} if world.grains else set()
+    return {world.codes.names[code] for code, number in enumerate(world.amounts) if number}

@@ -232,3 +232,18 @@ def test_what_the_worlds_differ_in_is_kept_and_that_is_said(paper):
     paper.click(paper.control("Bias", 0.8))
     paper.wait(1)
     assert all(each.rule.bias > 0 for each in paper.session.sessions.values())
+
+
+def test_a_rule_that_has_nothing_of_what_is_here_is_left_out_and_named(paper):
+    paper.parts.comparing.subject, paper.parts.comparing.number = "rule", 3
+    for number, label in ((1, "Three sands"), (2, "Rolling sand")):
+        paper.parts.comparing.choose_rule(number, label)
+    paper.key(pygame.K_h, "H", SHIFT)
+    paper.settle()
+    assert titles(paper) == ["Sand", "Rolling sand"] and "Three sands" in paper.parts.notices.text
+    paper.parts.notices.say("…")
+    paper.key(pygame.K_ESCAPE)
+    paper.parts.comparing.number = 2
+    paper.key(pygame.K_h, "H", SHIFT)
+    paper.settle()
+    assert not isinstance(paper.session, Comparison) and "Three sands" in paper.parts.notices.text
