@@ -19,7 +19,7 @@ class Density:
         self.thread = DensityThread()
         self.answer = None  # the DensityMaps that are shown
         self._about = None  # (sessions, the last acts, rules): what the runs are of
-        self._from = 0  # the iteration of the world that they start at
+        self._starts, self._from = {}, 0  # where they start, and the iteration of the world there
         self._laid = None  # (answer, view) that was laid over the sand
 
     @property

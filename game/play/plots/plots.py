@@ -86,6 +86,7 @@ class Plots:
         now, found = self._sessions.now, self.measurements
         fits = found and (found.session, found.row, found.codes) == (now, self.measured_row, now.world.codes)
         fits = fits and len(found.pile.heights) == now.world.shape[1]
+        fits = fits and all(each.codes == each.session.world.codes for each in self._compared.values())
         if fits and now_s < self._next_s:
             self._watch(now_s)
             return

@@ -8,8 +8,11 @@ import pytest
 from PIL import Image
 
 from game.play.ui.input import key_name
+from game.world.rules.definition import load_definition
+from game.world.rules.rule import Rule
 from game.world.sand.differences import differing
 from game.world.sand.ensemble import counts_at
+from game.world.sessions.action import SetRule
 from game.world.sessions.comparison import Comparison
 from tests.play.player import Player
 
@@ -247,3 +250,17 @@ def test_a_rule_that_has_nothing_of_what_is_here_is_left_out_and_named(paper):
     paper.key(pygame.K_h, "H", SHIFT)
     paper.settle()
     assert not isinstance(paper.session, Comparison) and "Three sands" in paper.parts.notices.text
+
+
+def test_curves_are_drawn_for_all_worlds_whatever_rule_is_chosen_meanwhile(paper):
+    paper.parts.comparing.subject = "seed"
+    paper.key(pygame.K_h, "H", SHIFT)
+    paper.key(pygame.K_l, "l")
+    paper.session.paused = False
+    for rule in ("water-and-oil", "sand"):
+        paper.wait(40)
+        paper.session.do(SetRule(Rule(definition=load_definition(rule))))
+        paper.wait(40)
+        written = paper.words()
+        assert all(title in written for title in paper.session.sessions)
+    assert len(paper.parts.plots.compared_table()[1]) % 4 == 0
