@@ -11,10 +11,11 @@ MOST_SHOWN = 2**22  # cells: a larger piece would hold a frame up before it is s
 
 
 class Copied(NamedTuple):
-    """A stamp, and the rule of the world that it was cut out of."""
+    """A stamp, and the rule and the walls' look of the world that it was cut out of."""
 
     stamp: Stamp
     rule: Rule
+    made_of: str
 
 
 class Selection:
@@ -49,11 +50,12 @@ class Selection:
     def copy(self):
         """Copy what is selected."""
         session = self._sessions.now
-        self.copied = Copied(cut_out(session.world, self.box), session.rule)
+        self.copied = Copied(cut_out(session.world, self.box), session.rule, session.scene.made_of)
 
-    def hold(self, stamp, rule):
-        """Copy a stamp that was cut out of a world of a rule."""
-        self.copied = Copied(stamp, rule)
+    def hold(self, scene):
+        """Copy all of a Scene."""
+        stamp = Stamp(scene.rule.materials, scene.cells, scene.colours, scene.fixtures)
+        self.copied = Copied(stamp, scene.rule, scene.made_of)
 
     def covers(self, place):
         """Return whether a place is in what is selected."""

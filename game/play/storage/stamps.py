@@ -6,7 +6,7 @@ from types import SimpleNamespace
 from game.play.storage.clipboard import picture_there
 from game.world.files.paths import save_named
 from game.world.sand.clock import Clock
-from game.world.sand.stamp import Stamp
+from game.world.sand.parameters import CELL, SPEED
 from game.world.scenes.picture_file import Photo, open_picture, picture_bytes
 from game.world.scenes.scene import Scene
 
@@ -44,13 +44,13 @@ class Stamps:
             self._hold(found.scene)
 
     def _hold(self, scene):
-        stamp = Stamp(scene.rule.materials, scene.cells, scene.colours, scene.fixtures)
-        self._brush.selection.hold(stamp, scene.rule)
+        self._brush.selection.hold(scene)
         self._brush.choose("stamp")
-        self._notices.say(f"{scene.title} is in your hand: each click puts it down. Esc lets go of it.")
+        self._notices.say(f"{scene.name} is in your hand: each click puts it down. Esc lets go of it.")
 
 
-def stamp_bytes(stamp, rule):
-    """Return a PNG of a Stamp that was cut out of a world of a rule."""
-    scene = Scene("stamp", "Stamp", "", stamp.cells, rule, 240.0, 4, colours=stamp.colours, fixtures=stamp.fixtures)
+def stamp_bytes(stamp, rule, made_of):
+    """Return a PNG of a Stamp that was cut out of a world of a rule with such walls."""
+    cells = {"cells": stamp.cells, "colours": stamp.colours, "fixtures": stamp.fixtures}
+    scene = Scene("stamp", "Stamp", "", rule=rule, speed=SPEED.default, cell=CELL.default, made_of=made_of, **cells)
     return picture_bytes(SimpleNamespace(world=scene.world(), scene=scene, rule=rule, seed=0, clock=Clock(scene.speed)))

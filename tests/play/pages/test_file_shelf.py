@@ -218,6 +218,15 @@ def test_a_stamp_is_kept_listed_and_taken_in_hand(player):
     assert player.world.grains == 2 * stamped and player.parts.brush.tool == "stamp"
 
 
+def test_a_stamp_of_a_glass_is_kept_as_glass(glass):
+    glass.key(pygame.K_a, mod=CTRL)
+    glass.key(pygame.K_k, mod=CTRL)
+    glass.key(pygame.K_RETURN)
+    glass.settle()
+    scene = open_picture(folder_of("stamps") / "Stamp.png").scene
+    assert scene.made_of == "glass" and scene.shape == glass.world.shape
+
+
 @pytest.mark.parametrize("size", [(640, 480), (1280, 720), (3840, 2160)])
 def test_nothing_in_the_head_of_a_shelf_lies_over_another_or_is_cut(size):
     player = Player("blank", size)
