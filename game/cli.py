@@ -361,11 +361,11 @@ def _scene_to_play(options, recording):
     if recording:
         return recording.scene, recording.seed
     if options.timer and options.scene is None:
-        from game.world.scenes.hourglass_maker import glass_for, glass_within, scene_of
+        from game.world.scenes.hourglass_maker import glass_within, scene_for, scene_of
 
         try:
-            glass = glass_within(*options.size) if options.size else glass_for(options.timer)
-            return scene_of(glass), parameters.SEED.default if options.seed is None else options.seed
+            scene = scene_of(glass_within(*options.size)) if options.size else scene_for(options.timer)
+            return scene, parameters.SEED.default if options.seed is None else options.seed
         except ValueError as error:
             raise SystemExit(_refuse(error)) from None
     return _load(options)

@@ -6,7 +6,7 @@ from dataclasses import replace
 from game.play.timer.timer import OFF, RUNNING
 from game.world.sand.duration import spell, spell_left, spell_short
 from game.world.sand.parameters import TIMER
-from game.world.scenes.hourglass_maker import glass_for, scene_of
+from game.world.scenes.hourglass_maker import scene_for
 
 PRESETS = 1, 3, 5, 10, 25  # minutes
 LONGEST_S = 7200  # of the slider; --timer takes more
@@ -54,7 +54,7 @@ class TimerSection:
         if ui.button(label, key="T", name="Timer start", tip="Starts or stops the timer"):
             self._commands.toggle_timer()
         if ui.button("A glass for it", tip=f"Replaces this scene with a glass made for {spell(timer.wanted_s)}"):
-            glass = self._sessions.suited(scene_of(glass_for(timer.wanted_s)))
+            glass = self._sessions.suited(scene_for(timer.wanted_s))
             self._sessions.open_scene(glass, self._sessions.now.seed)
         tip = "Rings a soft bell when the time is up"
         self._settings["chime"] = ui.toggle("Chime at the end", self._settings["chime"], tip=tip)

@@ -9,7 +9,7 @@ from game.world.scenes.hourglass_maker import cells_of, resized
 
 COARSE = 3  # pixels: cells this large show the curve of a glass as steps
 FINE = 2  # pixels across the cells that it is made of instead: grains can still be told apart
-MOST_ROWS = 1000  # more would take much of a core
+FASTEST = 2500  # iterations per second: more would take much of a core
 EVEN = 8  # rows are a multiple of this, so that the neck stands on the axis
 
 
@@ -21,9 +21,11 @@ def fine_glass(scene, room):
     height, width = scene.shape
     if scene.glass is None or scene.coloured or min(room[1] / height, room[0] / width) < COARSE:
         return scene
-    rows = min(room[1] / FINE, room[0] / FINE / width * height, MOST_ROWS)
+    rows = min(room[1] / FINE, room[0] / FINE / width * height, height * math.sqrt(FASTEST / scene.speed))
     rows = EVEN * math.floor(rows / EVEN)
     times = rows / height
+    if times <= 1.0:
+        return scene
     glass = resized(scene.glass, rows)
     glass = replace(glass, wall=THICKNESS.check(scene.glass.wall * math.sqrt(times)))
     return replace(

@@ -68,6 +68,11 @@ def resized(glass, height):
     return replace(glass, width=width, height=height, across=across, down=down)
 
 
+def scene_for(seconds):
+    """Return the Scene of a glass that runs for about so many seconds, at the pace at which it does."""
+    return scene_of(glass_for(seconds), speed=good_pace(seconds))
+
+
 def good_pace(seconds):
     """Return the iterations per second at which sand looks best over so many seconds: the longer, the calmer."""
     (short_s, fast), (long_s, slow) = LIVELY, CALM

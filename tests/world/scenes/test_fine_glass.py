@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from game.world.sand.advance import advance
-from game.world.scenes.fine_glass import COARSE, FINE, MOST_ROWS, fine_glass
-from game.world.scenes.hourglass_maker import glass_for, scene_of
+from game.world.scenes.fine_glass import COARSE, FASTEST, FINE, fine_glass
+from game.world.scenes.hourglass_maker import scene_for
 from game.world.scenes.scene import load_scene
 
 MINUTE_S = 60
@@ -24,7 +24,7 @@ def drained_s(scene):
 def test_a_glass_of_any_fineness_drains_in_the_same_minute(high):
     scene = fine_glass(load_scene("hourglass"), (2 * high, high))
     assert drained_s(scene) == pytest.approx(MINUTE_S, rel=0.03)
-    assert scene.shape[0] <= MOST_ROWS and scene.cell == FINE
+    assert scene.speed <= FASTEST and scene.cell == FINE
 
 
 @pytest.mark.parametrize("room", [(640, 480), (700, 640), (540, 719), (539, 900)])
@@ -52,5 +52,11 @@ def test_no_other_scene_changes_its_cells():
 
 
 def test_a_glass_made_for_a_time_becomes_finer_too():
-    scene = scene_of(glass_for(10))
+    scene = scene_for(10)
     assert fine_glass(scene, (2000, COARSE * scene.shape[0])).shape[0] > scene.shape[0]
+
+
+@pytest.mark.parametrize("seconds", [1, 15, 180, 3600])
+def test_a_glass_for_a_time_is_only_as_fine_as_its_pace_bears(seconds):
+    scene = fine_glass(scene_for(seconds), (6000, 4000))
+    assert scene.speed <= FASTEST and drained_s(scene) == pytest.approx(seconds, rel=0.25)
