@@ -8,6 +8,7 @@ from game.play.ui import theme as look
 
 COURSE = 0.24  # of the card's width, that a row's curve takes where it has room
 LEAST_NAME = 110  # pixels at scale 1: with less room than this the curves are left out
+STEADY = 4  # samples whose mean is told: those of about a second
 TITLE = "Reactions a second"
 NONE = "Nothing has reacted yet."
 
@@ -22,7 +23,8 @@ def reactions_card(theme, rect, nows, reactions, speed):
     high = theme.line_height(look.SMALL)
     if not reactions:
         return [*strokes, (draw_list.words, (room.x, room.y, room.width, high), NONE, look.SMALL, look.DIM, 0)]
-    figures = [figure(numbers[-1] * speed) for numbers in reactions.values()]
+    lately = [numbers[1:][-STEADY:] for numbers in reactions.values()]
+    figures = [figure(speed * sum(each) / max(1, len(each))) for each in lately]
     wide = max(theme.width(f" {each}", look.SMALL) for each in (*figures, "999"))
     course = int(COURSE * room.width)
     if room.width - wide - course < theme.px(LEAST_NAME):
