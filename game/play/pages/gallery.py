@@ -4,20 +4,15 @@ import pygame
 
 from game.play.controls import keymap
 from game.play.pages.file_shelf import BY_AGE, BY_NAME, REPLAYS, SCENES, STAMPS, FileShelf
-from game.play.pages.gallery_head import GAP, HEAD, GalleryHead, ShelfAction
+from game.play.pages.gallery_head import GalleryHead, ShelfAction
 from game.play.pages.shipped_scenes import ShippedScenes
+from game.play.pages.tile_grid import NAME, PAD, TileGrid
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.input import key_name
 from game.play.ui.scroll import thumb
 from game.play.ui.text_line import TYPING_KEYS, TextLine, types
 
-PAD = 20  # pixels at scale 1: around the page
-FOOT = 46
-NAME = 24  # height of a name under its picture
-NARROWEST = 132  # tile; what does not fit then is scrolled to
-LEAST = 6  # tiles that a page has room for: fewer are no larger
-PICTURE = 0.72  # height of a picture, as a share of its width
 ARROWS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 ENTERS = pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_SPACE
 GOES_ON = {
@@ -67,10 +62,11 @@ class GalleryPage:
 
     def draw(self, surface):
         """Bring the page up to date on the window; return the rects that changed."""
-        tiles = list(self._tiles())
-        room = {number: self._picture_rect(rect) for number, rect in tiles}
+        grid = self._grid
+        tiles = grid.tiles(self._top)
+        room = {number: grid.picture_rect(rect) for number, rect in tiles.items()}
         moved = self.shelf.run(self._now_s, {number: rect.size for number, rect in room.items()})
-        drawing = self._strokes(surface, tiles)
+        drawing = self._strokes(surface, grid, tiles)
         if drawing != self._drawn:
             self._drawn = drawing
             surface.fill(self._display.theme.rgb(look.SUNKEN))
@@ -82,7 +78,7 @@ class GalleryPage:
 
     def tile(self, number):
         """Return the rect in the window of a scene's tile, or None while it is scrolled out of view."""
-        return dict(self._tiles()).get(number)
+        return self._grid.tiles(self._top).get(number)
 
     def tab(self, number):
         """Return the rect in the window of a shelf's title."""
@@ -109,39 +105,39 @@ class GalleryPage:
 
     def _head(self):
         titles = tuple(each.title for each in self.shelves)
-        return GalleryHead(self._display.theme, self._page(), titles, self.actions)
+        return GalleryHead(self._display.theme, self._grid.page, titles, self.actions)
 
     # --- what it looks like ---
 
-    def _strokes(self, surface, tiles):
+    def _strokes(self, surface, grid, tiles):
         strokes = [(draw_list.fill, surface.get_rect(), look.SUNKEN)]
         strokes += self._head().strokes(self.shelves.index(self.shelf))
-        for number, rect in tiles:
-            strokes += self._tile_strokes(number, rect)
-        return [*strokes, *self._empty(), *self._thumb(), *self._about()]
+        for number, rect in tiles.items():
+            strokes += self._tile_strokes(number, rect, grid.picture_rect(rect))
+        return [*strokes, *self._empty(grid.page), *self._thumb(grid), *self._about(grid.page)]
 
-    def _empty(self):
+    def _empty(self, page):
         """Yield the strokes of what there is to say of a shelf without scenes."""
-        theme, page = self._display.theme, self._page()
+        theme = self._display.theme
         lines = theme.lines(self.shelf.empty, look.BODY, page.width) if not len(self.shelf) else ()
         line = theme.line_height(look.BODY)
         for number, each in enumerate(lines):
             place = pygame.Rect(page.x, page.centery + number * line, page.width, line)
             yield draw_list.words, place, each, look.BODY, look.DIM, 0.5
 
-    def _thumb(self):
+    def _thumb(self, grid):
         """Return the strokes of the scroll bar's thumb, where not all rows show."""
-        page, px, (columns, shown, _) = self._page(), self._display.theme.px, self._grid()
+        page, px = grid.page, self._display.theme.px
         track = pygame.Rect(page.right + px(PAD) // 2, page.y, px(4), page.height)
-        return thumb(self._display.theme, track, self._top, shown, -(-len(self.shelf) // columns))
+        return thumb(self._display.theme, track, self._top, grid.rows_in_view, grid.rows)
 
-    def _tile_strokes(self, number, rect):
+    def _tile_strokes(self, number, rect, picture):
         px, chosen = self._display.theme.px, number == self.chosen
         strokes = [(draw_list.box, rect, look.HOVER if chosen else look.RAISED, px(5))]
         if chosen:
             strokes.append((draw_list.ring, rect, look.ACCENT, px(5), max(1, px(2))))
         if self.shelf.picture(number) is None:
-            strokes.append((draw_list.words, self._picture_rect(rect), self.shelf.waiting, look.SMALL, look.FAINT, 0.5))
+            strokes.append((draw_list.words, picture, self.shelf.waiting, look.SMALL, look.FAINT, 0.5))
         words = pygame.Rect(rect.x + px(8), rect.bottom - px(NAME), rect.width - 2 * px(8), px(NAME))
         name, colour = self.shelf.name(number), look.TEXT if chosen else look.DIM
         if chosen and self._typing:
@@ -149,9 +145,9 @@ class GalleryPage:
             name, colour = self._typing.text + "|", look.DIM if self._typing.fresh else look.HANDLE
         return [*strokes, (draw_list.words, words, name, look.SMALL, colour, 0.5)]
 
-    def _about(self):
+    def _about(self, page):
         """Return the strokes of the sentence on the chosen scene."""
-        theme, page = self._display.theme, self._page()
+        theme = self._display.theme
         line = theme.line_height(look.SMALL)
         text = self._notices.text or (self.shelf.about(self.chosen) if len(self.shelf) else "")
         foot = pygame.Rect(page.x, page.bottom, page.width, line)
@@ -187,7 +183,7 @@ class GalleryPage:
             action.act()
         elif event.key in ARROWS and not event.mod & keymap.CTRL:
             dx, dy = ARROWS[event.key]
-            self._choose(self.chosen + dx + dy * self._grid()[0])
+            self._choose(self.chosen + dx + dy * self._grid.columns)
         elif event.key in ENTERS:
             self._open()
         elif event.key in (pygame.K_HOME, pygame.K_END):
@@ -241,7 +237,9 @@ class GalleryPage:
             self._scroll(self._top - (event.y > 0) + (event.y < 0))
             return
         pressed = event.type == pygame.MOUSEBUTTONDOWN and event.button == 1
-        under = next((number for number, rect in self._tiles() if rect.collidepoint(event.pos)), None)
+        under = next(
+            (number for number, rect in self._grid.tiles(self._top).items() if rect.collidepoint(event.pos)), None
+        )
         if self._typing and pressed:
             self._end_typing(False)
             return
@@ -270,51 +268,18 @@ class GalleryPage:
     def _choose(self, number):
         if 0 <= number < len(self.shelf):
             self.chosen = number
-            columns, rows, _ = self._grid()
-            self._scroll(min(max(self._top, number // columns - rows + 1), number // columns))
+            row = number // self._grid.columns
+            self._scroll(min(max(self._top, row - self._grid.rows_in_view + 1), row))
 
     def _scroll(self, top):
-        columns, rows, _ = self._grid()
-        self._top = min(max(top, 0), max(0, -(-len(self.shelf) // columns) - rows))
+        self._top = min(max(top, 0), max(0, self._grid.rows - self._grid.rows_in_view))
 
     def _open(self):
         if len(self.shelf):
             self.close()
             self.shelf.open(self.chosen)
 
-    # --- where things lie ---
-
-    def _page(self):
-        """Return the rect of the tiles: between head and foot."""
-        (width, height), px = self._display.window.size, self._display.theme.px
-        return pygame.Rect(px(PAD), px(HEAD), width - 2 * px(PAD), height - px(HEAD) - px(FOOT))
-
+    @property
     def _grid(self):
-        """Return (columns, rows in view, tile size) with tiles as large as lets all of them be seen, if possible."""
-        page, px = self._page(), self._display.theme.px
-        most = max(1, (page.width + px(GAP)) // (px(NARROWEST) + px(GAP)))
-        for columns in range(1, most + 1):
-            wide = (page.width + px(GAP)) // columns - px(GAP)
-            high = round(PICTURE * wide) + px(NAME)
-            rows = max(1, page.height // (high + px(GAP)))
-            if columns * rows >= max(LEAST, len(self.shelf)):
-                break
-        return columns, rows, (wide, min(high, page.height))
-
-    def _tiles(self):
-        """Yield (number, rect) of the scenes that show."""
-        px, page = self._display.theme.px, self._page()
-        columns, rows, (wide, high) = self._grid()
-        shown = min(rows, -(-len(self.shelf) // columns))
-        page.y += max(0, (page.height - shown * (high + px(GAP))) // 2)
-        page.x += max(0, columns - len(self.shelf)) * (wide + px(GAP)) // 2
-        for number in range(self._top * columns, min(len(self.shelf), (self._top + rows) * columns)):
-            row, column = divmod(number - self._top * columns, columns)
-            yield (
-                number,
-                pygame.Rect(page.x + column * (wide + px(GAP)), page.y + row * (high + px(GAP)), wide, high),
-            )
-
-    def _picture_rect(self, tile):
-        px = self._display.theme.px
-        return pygame.Rect(tile.x + px(5), tile.y + px(5), tile.width - 2 * px(5), tile.height - px(NAME) - px(5))
+        """The TileGrid of the shelf."""
+        return TileGrid(self._display.theme, self._display.window.size, len(self.shelf))
