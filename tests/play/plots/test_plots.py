@@ -283,7 +283,8 @@ def test_a_world_of_several_materials_shows_each_with_its_name_number_and_colour
     pygame.display.quit()
 
 
-def test_a_sum_that_some_events_may_change_says_which_and_by_how_much():
+def test_a_sum_that_some_events_may_change_says_which_and_by_how_much(monkeypatch):
+    monkeypatch.setattr("game.play.plots.plots.SHARE", 0)  # on whatever machine: as often as it may be
     player = Player("acid-cave", (1280, 1500))
     player.parts.commands.give("view.toggle_plots")
     player.wait(240)
