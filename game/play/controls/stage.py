@@ -10,10 +10,15 @@ from game.play.ui import theme as look
 from game.play.window.large_pointer import show_large, show_usual
 
 ITERATION, P, PARTITION, CLOCK = LINES = "iteration", "p", "partition", "clock"
-HEIGHT, TIMER_HEIGHT = 0.16, 0.24  # of the window's, that the large letters take, and those of a running timer
+LEAST_HEIGHT, HEIGHT, TIMER_HEIGHT = (
+    0.05,
+    0.16,
+    0.24,
+)  # of the window's, that the large letters take, and those of a running timer
 CLOCK_SHARE = 0.38  # of their width, at most, for the clock
 PAD = 0.12  # of their height, around them
 GAP = "     "
+END = "End the stage"  # where no line was chosen
 HINT = "F5, Esc or a click here ends the stage. P shows the panel: View says which lines stand here."
 
 
@@ -45,9 +50,10 @@ class Stage:
     @property
     def height(self):
         """The height in pixels of what stands below the sand; a timer in full screen has its clock there."""
-        wanted = bool(self._settings["stage_lines"]) or self._notices.line if self.on else self._has_clock
-        share = TIMER_HEIGHT if self._tells_timer else HEIGHT
-        return round(share * self._display.window.size[1]) if wanted else 0
+        share = HEIGHT if self._settings["stage_lines"] or self._notices.line else LEAST_HEIGHT
+        if self._tells_timer:
+            share = TIMER_HEIGHT
+        return round(share * self._display.window.size[1]) if self.on or self._has_clock else 0
 
     @property
     def _has_clock(self):
@@ -71,7 +77,8 @@ class Stage:
             room.width -= large_words.width(theme, clock, size) + 2 * (room.x - rect.x)
         if self.on and self._notices.line:
             return strokes + _notice(theme, room, *self._notices.line)
-        return strokes + (_in_rows(theme, room, self._lines()) if self.on and self._lines() else [])
+        lines = self._lines() or [END] * (not clock)
+        return strokes + (_in_rows(theme, room, lines) if self.on and lines else [])
 
     def _lines(self):
         """Return what is said of the world, as far as the player chose it."""

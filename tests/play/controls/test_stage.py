@@ -85,13 +85,18 @@ def test_by_mouse_alone_it_comes_and_goes_and_its_lines_are_chosen(glass):
     assert not glass.parts.stage.on and glass.parts.display.panel_shown
 
 
-def test_with_no_line_chosen_the_sand_has_their_room(glass):
+def test_with_no_line_chosen_the_sand_has_their_room_and_the_mouse_still_finds_the_end(glass):
     glass.parts.settings["stage_lines"] = ()
     staged(glass)
-    assert not glass.parts.display.layout.board.height
+    board = glass.parts.display.layout.board
+    assert board.height < 0.06 * glass.parts.window.size[1] and texts(glass) == "End the stage"
     glass.parts.settings["stage_lines"] = LINES
     glass.wait(1)
-    assert glass.parts.display.layout.board.height
+    assert glass.parts.display.layout.board.height > 2 * board.height
+    glass.parts.settings["stage_lines"] = ()
+    glass.wait(1)
+    glass.click(glass.parts.display.layout.board.center)
+    assert not glass.parts.stage.on
 
 
 def test_a_notice_is_told_there(glass):
