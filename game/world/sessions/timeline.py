@@ -17,7 +17,7 @@ SPACING_NS = 20_000_000
 CLOSE_NS = 4_000_000  # work between two snapshots of the trail: each frame of a rewind computes no more than that
 LONGEST_TRAIL = 16  # snapshots; a rewind needs those between here and the nearest one of the store
 SHARE = 20  # a snapshot costs at most one part in so many of the work: on a huge lattice it takes long to copy
-KEPT_BYTES_A_NS = 2  # about; a first snapshot of a huge lattice must not hold up the opening of its scene
+KEEPING_NS_A_BYTE = 1  # about; a first snapshot of a huge lattice must not hold up the opening of its scene
 SLICE_NS = 1_000_000  # work between two looks at the time; more overruns a frame's budget, less costs calls
 LONGEST_SLICE = 2048  # iterations: sand at rest costs nothing, and may start to move at any time
 
@@ -247,7 +247,7 @@ class Timeline:
     def _keep_now_and_then(self):
         """Keep a snapshot where the last one is far, unless the line has one near."""
         self._leave_trail()
-        foreseen_ns = self.moment.world.planes.nbytes // KEPT_BYTES_A_NS
+        foreseen_ns = KEEPING_NS_A_BYTE * self.moment.world.planes.nbytes
         spacing_ns = max(SPACING_NS, SHARE * max(self._keeping_ns, foreseen_ns))
         if self.moment.work_ns - self._kept_work_ns < spacing_ns:
             return
