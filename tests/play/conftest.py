@@ -3,7 +3,7 @@
 import pygame
 import pytest
 
-from tests.play.player import Player
+from tests.play.player import MADE, Player
 
 
 def _close():
@@ -11,6 +11,16 @@ def _close():
     if pygame.mixer.get_init():
         pygame.mixer.stop()
     pygame.display.quit()
+
+
+@pytest.fixture(autouse=True)
+def end_forecasts():
+    """End what works on forecasts and densities for players of a test when it is over."""
+    yield
+    while MADE:
+        parts = MADE.pop().parts
+        parts.forecasting.close()
+        parts.density.close()
 
 
 @pytest.fixture

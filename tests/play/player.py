@@ -11,6 +11,7 @@ from game.play.window.window import Window
 from game.world.scenes.scene import load_scene
 
 FRAME_NS = 16_666_667
+MADE = []  # the players of the test that runs
 WAIT_MS = 20  # at most, from frame to frame, for what the background does
 
 
@@ -25,6 +26,7 @@ class Player:
     def __init__(self, scene="blank", size=(900, 700), settings=None):
         self.app = App(Window(size), load_scene(scene, (120, 90) if scene == "blank" else None), settings=settings)
         self.now_s, self.pointer = 100.0, None
+        MADE.append(self)
         self.wait(0)
 
     @property

@@ -30,7 +30,6 @@ def paper():
     player.wait(60)
     player.hold_time()
     yield player
-    player.parts.forecasting.close()
     pygame.display.quit()
 
 
@@ -92,7 +91,6 @@ class Stuck(ForecastThread):
 def stuck(player):
     """Return the thread of a blank scene with the forecast on, which says nothing yet."""
     yield forecast_by(player, Stuck())
-    player.parts.forecasting.close()
 
 
 class Scripted:
