@@ -2,7 +2,6 @@
 
 import pygame
 
-from game.play.controls.brush import Brush
 from game.play.controls.camera import Camera
 from game.play.controls.commands import Commands, FileCommands, SandCommands, TimeCommands, ViewCommands
 from game.play.controls.comparing import Comparing
@@ -13,10 +12,11 @@ from game.play.controls.keyboard_cursor import KeyboardCursor
 from game.play.controls.piece_commands import PieceCommands
 from game.play.controls.pointer import Pointer
 from game.play.controls.rewind import Rewind
-from game.play.controls.ruler import Ruler
 from game.play.controls.stage import Stage
-from game.play.controls.stamp_preview import StampPreview
 from game.play.controls.time_bar import TimeBar
+from game.play.controls.tools.brush import Brush
+from game.play.controls.tools.ruler import Ruler
+from game.play.controls.tools.stamp_preview import StampPreview
 from game.play.controls.view_buttons import ViewButtons
 from game.play.forecast.density import Density
 from game.play.forecast.forecasting import Forecasting
@@ -55,18 +55,18 @@ from game.play.timer.glow import Glow
 from game.play.timer.run_out_planner import RunOutPlanner
 from game.play.timer.timer import RUNNING, Timer
 from game.play.ui.widgets import Ui
-from game.play.view.block_card import BlockCard
-from game.play.view.block_overlay import BlockOverlay
 from game.play.view.dialog import Dialog
 from game.play.view.differences import Differences
 from game.play.view.display import Display
 from game.play.view.frame_stats import FrameStats
 from game.play.view.hints import Hints
-from game.play.view.minimap import Minimap
 from game.play.view.notices import Notices
+from game.play.view.overlays.block_card import BlockCard
+from game.play.view.overlays.block_overlay import BlockOverlay
+from game.play.view.overlays.minimap import Minimap
+from game.play.view.overlays.stats_card import StatsCard
 from game.play.view.renderer import Renderer
 from game.play.view.room_hint import RoomHint
-from game.play.view.stats_card import StatsCard
 from game.play.view.status_line import StatusLine
 from game.play.window.audio import Audio
 from game.play.window.background import Background

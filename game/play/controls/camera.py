@@ -5,7 +5,7 @@ import math
 import pygame
 
 from game.play.controls.keymap import CTRL
-from game.play.view.zoom_badge import ZoomBadge
+from game.play.view.overlays.zoom_badge import ZoomBadge
 from game.world.looks.view import LEVELS, View, level
 from game.world.sessions.session import SEEK_NS
 

@@ -7,7 +7,7 @@ to show meanwhile, in cells, or None for those of the tool at rest.
 
 import math
 
-from game.play.view.outlines import box_outline, brush_outline, ellipse_outline, hull
+from game.play.view.overlays.outlines import box_outline, brush_outline, ellipse_outline, hull
 from game.world.sessions.action import EMPTY_CELLS, Draw, Fill, Paint, box, cell, snap
 
 STEP = math.pi / 4  # a line that is held straight goes in steps of this angle

@@ -4,7 +4,7 @@ import pygame
 
 from game.play.ui import theme as look
 from game.play.ui.input import ENTER
-from game.play.view.outlines import box_outline, mark
+from game.play.view.overlays.outlines import box_outline, mark
 
 WAYS = {pygame.K_LEFT: (-1, 0), pygame.K_RIGHT: (1, 0), pygame.K_UP: (0, -1), pygame.K_DOWN: (0, 1)}
 FAR = 10  # cells that an arrow goes with Shift

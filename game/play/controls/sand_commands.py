@@ -2,7 +2,7 @@
 
 import math
 
-from game.play.controls.brush import SIZES
+from game.play.controls.tools.brush import SIZES
 from game.world.sessions.action import Clear, Flip, Load, SetRule, Turn
 
 TILT = 0.1  # of bias, by one press of a key

@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from game.play.controls.ruler import TOOL
+from game.play.controls.tools.ruler import TOOL
 from game.world.sand import parameters
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import pygame
 
 from game.play.ui import draw_list
-from game.play.view.outlines import fixture_marks, tilt_marks
+from game.play.view.overlays.outlines import fixture_marks, tilt_marks
 from game.world.sessions.session import Session
 
 

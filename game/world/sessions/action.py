@@ -13,13 +13,13 @@ from game.world.rules.rule import Rule
 from game.world.sand.erasing import is_in_figure, is_under_brush
 from game.world.sand.grain_account import NO_GRAINS, added
 from game.world.sand.material_codes import EMPTY
-from game.world.sand.patch import Patch, alike
 from game.world.sand.sand_colours import AMBER, DYES
 from game.world.sand.stamp import Stamp, cut_out, put
 from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import cells_of, pour
 from game.world.scenes.hourglass_spec import Glass
 from game.world.scenes.scene import Scene
+from game.world.sessions.patch import Patch, alike
 
 ERASE, EMPTY_CELLS = "erase", "empty"  # the names of air where it is painted, and where it is painted over
 SHAPES = {"round": ROUND, "square": SQUARE, "diamond": DIAMOND}

@@ -7,12 +7,12 @@ from game.world.rules.rule import Rule
 from game.world.sand.advance import NO_TRAFFIC, advance
 from game.world.sand.grain_account import GrainAccount
 from game.world.sand.material_codes import SAND, SAND_NAME
-from game.world.sand.patch import alike
 from game.world.sand.sand_colours import COLOURS
 from game.world.sand.world import World
 from game.world.scenes.hourglass_maker import scene_of
 from game.world.scenes.scene import Scene
 from game.world.sessions.action import Load, Reshape, perform
+from game.world.sessions.patch import alike
 
 
 @dataclass

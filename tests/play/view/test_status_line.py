@@ -6,7 +6,7 @@ import pytest
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.view.frame_stats import FrameTime, read
-from game.play.view.stats_card import BUSY, FULL
+from game.play.view.overlays.stats_card import BUSY, FULL
 from game.world.sessions.action import Paint
 
 MS = 10**6

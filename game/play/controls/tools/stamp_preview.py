@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from game.play.view.outlines import box_outline, mark
-from game.play.view.piece_mark import piece_mark
+from game.play.view.overlays.outlines import box_outline, mark
+from game.play.view.overlays.piece_mark import piece_mark
 from game.play.view.scene_picture import pixels_of
 from game.world.sand.stamp import landed
 

@@ -7,7 +7,7 @@ import pygame
 import pytest
 
 from game import Rule
-from game.play.controls.brush import SIZES, TOOLS
+from game.play.controls.tools.brush import SIZES, TOOLS
 from game.world.sand.fixtures import Fixture
 from game.world.sessions.action import Paint, SetRule
 from game.world.sessions.recording import parse

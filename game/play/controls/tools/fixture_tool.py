@@ -2,7 +2,7 @@
 
 from dataclasses import replace
 
-from game.play.view.outlines import box_outline
+from game.play.view.overlays.outlines import box_outline
 from game.world.sand.fixtures import MOST, TAP, Fixture
 from game.world.sand.material_codes import WALL_NAME
 from game.world.sand.sand_colours import AMBER

@@ -4,7 +4,7 @@ import numpy as np
 import pygame
 import pytest
 
-from game.play.view.block_overlay import part_in_sight
+from game.play.view.overlays.block_overlay import part_in_sight
 from game.world.looks.view import View
 from game.world.sand.block_events import coming_events
 

@@ -4,12 +4,12 @@ from functools import partial
 
 import pygame
 
-from game.play.controls.fixture_tool import FixtureTool, fresh
 from game.play.controls.gestures import Press, Span, Trail
-from game.play.controls.ruler import RulerTool
-from game.play.controls.selection import MOST_SHOWN, Selection, SelectTool, StampTool
+from game.play.controls.tools.fixture_tool import FixtureTool, fresh
+from game.play.controls.tools.ruler import RulerTool
+from game.play.controls.tools.selection import MOST_SHOWN, Selection, SelectTool, StampTool
 from game.play.ui import theme as look
-from game.play.view.outlines import box_outline, brush_outline, mark
+from game.play.view.overlays.outlines import box_outline, brush_outline, mark
 from game.play.view.swatches import swatches_of
 from game.world.sand import parameters
 from game.world.sand.sand_colours import AMBER, COLOURS, DYES

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from game.play.view.outlines import box_outline
+from game.play.view.overlays.outlines import box_outline
 from game.world.rules.rule import Rule
 from game.world.sand.stamp import Stamp, cut_out
 from game.world.sessions.action import Draw, Move, Paste, box, cell

@@ -5,7 +5,7 @@ import math
 from game.play.controls.gestures import straightened
 from game.play.ui import theme as look
 from game.play.ui.card import draw_lines_near
-from game.play.view.outlines import Mark
+from game.play.view.overlays.outlines import Mark
 
 TOOL = "ruler"
 

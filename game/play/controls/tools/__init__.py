@@ -1,0 +1,1 @@
+"""The tools in hand: brush, figures, pieces, taps and drains, the ruler."""

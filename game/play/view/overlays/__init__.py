@@ -1,0 +1,1 @@
+"""What lies over the sand: cards, outlines, the map of the lattice, what blocks may do."""
