@@ -8,7 +8,7 @@ from game.world.looks.motion_samples import MotionSamples
 from game.world.looks.themes import substances_of
 from game.world.sessions.session import BUDGET_NS, SEEK_NS
 
-AIM_NS = BUDGET_NS - 1_500_000  # the rest is for what takes longer than foreseen
+AIM_NS = BUDGET_NS - 3_000_000  # the rest is for what takes longer than foreseen
 REMEMBERED = (
     0.97  # how much of what a frame took beside the sand is foreseen for the next: some work comes now and then
 )

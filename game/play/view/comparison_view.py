@@ -6,6 +6,7 @@ import pygame
 
 from game.play.ui import draw_list
 from game.play.ui import theme as look
+from game.play.view.frame_stats import own_ns
 from game.play.view.sand_view import SandView
 from game.play.view.swatches import colours_of_worlds
 from game.world.sand.measure import grains_above
@@ -19,6 +20,7 @@ FORMS = (  # of a title, from the fullest: size of its name, words of its count
     *((look.HEADING, 0), (look.SMALL, 0)),
 )
 LONGEST = "888,888 cells differ"  # of what stands beside a name
+DRAWING_NS = 6_000_000  # of a frame; worlds that are left when it is spent are drawn in the next one, before others
 REFRESH_S = 0.25  # the grains left are counted so often
 
 
@@ -39,6 +41,7 @@ class ComparisonView:
         self._rows = 1  # of words in a title
         self._gaps, self._gapped = [], False  # between panes; whether they are drawn
         self._overlay, self._covered = None, []  # as last drawn, and the rects that it covers
+        self._left_out = ()  # names of worlds that the last frame had no time to draw
 
     # --- as a SandView ---
 
@@ -134,17 +137,22 @@ class ComparisonView:
         """Bring all panes up to date and return the rects of the window that changed; see `SandView.draw`."""
         if self._overlay and not overlay:
             self.refresh()
-        panes = [(self._views[name], world, self._marks_in(name, marks)) for name, world in self._worlds().items()]
+        first = {name: place for place, name in enumerate(self._left_out)}
+        worlds = sorted(self._worlds().items(), key=lambda each: first.get(each[0], len(first)))
+        panes = [(self._views[name], world, self._marks_in(name, marks)) for name, world in worlds]
         self._count(now_s)
         under = []  # what soft edges lie over comes first, in all panes
         if overlay is not self._overlay or self._new_titles() or any(_differs(*pane) for pane in panes):
             under = self._covered
             self._drawn = {each: t for each, t in self._drawn.items() if self._titles[each].collidelist(under) < 0}
             self._gapped = self._gapped and all(gap.collidelist(under) < 0 for gap in self._gaps)
-        rects = []
-        for pane, world, here in panes:
+        rects, begin, self._left_out = [], own_ns(), ()
+        for number, ((name, _), (pane, world, here)) in enumerate(zip(worlds, panes, strict=True)):
             damaged = [rect for rect in under if rect.colliderect(pane.area)]
-            rects += pane.draw(world, here, None, now_s, under=damaged)
+            if number and pane.can_wait and not damaged and own_ns() - begin > DRAWING_NS:
+                self._left_out += (name,)
+            else:
+                rects += pane.draw(world, here, None, now_s, under=damaged)
         rects += self._draw_titles() + self._draw_gaps()
         before, self._overlay = self._overlay, overlay
         if overlay and (rects or overlay is not before):

@@ -37,6 +37,11 @@ class SandView:
         """The parts of the window that show a lattice."""
         return (self.area,)
 
+    @property
+    def can_wait(self):
+        """Whether what was drawn last may stand for another frame."""
+        return not self._bare and self.turn is None
+
     def show(self, view):
         """Show the lattice through another view."""
         self.view = view

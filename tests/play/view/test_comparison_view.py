@@ -7,6 +7,7 @@ import pygame
 import pytest
 
 from game.play.ui import draw_list
+from game.play.view import comparison_view
 from game.play.view.comparison_view import GAP, TITLE
 from game.world.looks.painter import Painter
 from game.world.looks.view import View
@@ -158,6 +159,31 @@ def test_still_panes_are_not_drawn_again(three):
     three.hold_time()
     three.wait(600)
     assert not any(three.frame() for _ in range(5))
+
+
+def test_worlds_that_a_frame_has_no_time_to_draw_are_drawn_in_the_next_ones_and_none_is_forgotten(three, monkeypatch):
+    monkeypatch.setattr(comparison_view, "DRAWING_NS", -1)
+    three.wait(100)
+    view, drawn = three.parts.display.sand_view, []
+    for _ in range(6):
+        before = pixels_in(three, view)
+        three.frame()
+        after = pixels_in(three, view)
+        changed = [(old != new).any() for old, new in zip(before, after, strict=True)]
+        drawn.append(np.flatnonzero(changed).tolist())
+    assert [len(each) for each in drawn] == [1] * 6
+    assert sorted(drawn[0] + drawn[1] + drawn[2]) == sorted(drawn[3] + drawn[4] + drawn[5]) == [0, 1, 2]
+    three.hold_time()
+    three.wait(3)
+    shown = pixels_in(three, view)
+    three.drawn()
+    assert all((old == new).all() for old, new in zip(shown, pixels_in(three, view), strict=True))
+
+
+def pixels_in(player, view):
+    """Return the pixels of each pane, [(w, h, 3)]."""
+    pixels = pygame.surfarray.array3d(player.parts.window.surface)
+    return [pixels[pane.left : pane.right, pane.top : pane.bottom] for pane in view.panes]
 
 
 @pytest.mark.parametrize("size", [(1100, 700), (1280, 720), (700, 1100), (640, 480)])
