@@ -1,6 +1,5 @@
 """The density thread: where sand is at the present iteration, of many runs of several worlds, beside the frames."""
 
-import threading
 import time
 from contextlib import suppress
 from functools import partial
@@ -9,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from game.core.draw.heatmap import heat_levels
+from game.world.background.wished_thread import WishedThread
 from game.world.sand.ensemble import Cancelled, FollowedRuns
 
 WORDS = 2**21  # of all runs of one world, 16 MiB: more cells, fewer runs
@@ -41,14 +41,14 @@ def runs_of(cells):
     return max(fewest, min(most, WORDS // cells * 64))
 
 
-class DensityThread:
+class DensityThread(WishedThread):
     """Follows runs to the iteration that is wanted. Neither wishing nor looking for the answer ever blocks."""
 
+    name = "density"
+
     def __init__(self):
-        self._bell = threading.Condition()
-        self._thread = None
+        super().__init__()
         self._wanted = None  # (about, {name: DensityStart}, iterations since the start)
-        self._closed = False
         self.answer = None  # the latest DensityMaps
 
     @property
@@ -61,19 +61,15 @@ class DensityThread:
         """Wish for the maps at a moment, iterations since the start; `starts` are read where `about` is another."""
         with self._bell:
             self._wanted = about, starts, moment
-            if self._thread is None:
-                self._thread = threading.Thread(target=self._work, name="density", daemon=True)
-                self._thread.start()
-            self._bell.notify()
+            self._wake()
 
     def close(self):
-        """Drop everything and end the thread; a later wish starts another."""
-        with self._bell:
-            self._closed, self._wanted = True, None
-            self._bell.notify()
-        if self._thread:
-            self._thread.join()
-        self._thread, self._closed, self.answer = None, False, None
+        """Drop everything, the answer too, and end the thread; a later wish begins another."""
+        super().close()
+        self.answer = None
+
+    def _drop(self):
+        self._wanted = None
 
     def _work(self):
         about, runs, walls, stride = None, {}, {}, FIRST_STRIDE

@@ -1,6 +1,5 @@
 """The forecaster: forecasts worked out in a thread beside the frames, the newest request first."""
 
-import threading
 import time
 from contextlib import suppress
 from dataclasses import dataclass
@@ -8,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from game.core.draw.heatmap import heat_levels
+from game.world.background.wished_thread import WishedThread
 from game.world.rules.rule import Rule
 from game.world.sand.crop import Crop
 from game.world.sand.ensemble import Cancelled, certain, growing_counts
@@ -54,14 +54,15 @@ def standard_error(share, runs):
     return (share * (1.0 - share) / runs) ** 0.5
 
 
-class ForecastThread:
+class ForecastThread(WishedThread):
     """A thread that computes forecasts. Neither asking nor looking for the answer ever blocks."""
 
+    name = "forecaster"
+
     def __init__(self, count=growing_counts):
+        super().__init__()
         self._count = count
-        self._bell = threading.Condition()
-        self._thread = self._asked = None  # the request that waits, if any
-        self._hurry = self._closed = False
+        self._asked, self._hurry = None, False  # the request that waits, if any
         self.answer = None  # the latest Forecast
         self.working = False
 
@@ -73,19 +74,15 @@ class ForecastThread:
         """
         with self._bell:
             self._asked, self._hurry, self.working = request, self._hurry or hurry, True
-            if self._thread is None:
-                self._thread = threading.Thread(target=self._work, name="forecaster", daemon=True)
-                self._thread.start()
-            self._bell.notify()
+            self._wake()
 
     def close(self):
-        """Drop everything and end the thread; a later request starts another."""
-        with self._bell:
-            self._closed, self._asked = True, None
-            self._bell.notify()
-        if self._thread:
-            self._thread.join()
-        self._thread, self._closed, self.working, self.answer = None, False, False, None
+        """Drop everything, the answer too, and end the thread; a later request begins another."""
+        super().close()
+        self.working, self.answer = False, None
+
+    def _drop(self):
+        self._asked = None
 
     def _work(self):
         while asked := self._next():
