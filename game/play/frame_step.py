@@ -9,9 +9,8 @@ from game.world.looks.themes import substances_of
 from game.world.sessions.session import BUDGET_NS, SEEK_NS
 
 AIM_NS = BUDGET_NS - 3_000_000  # the rest is for what takes longer than foreseen
-REMEMBERED = (
-    0.97  # how much of what a frame took beside the sand is foreseen for the next: some work comes now and then
-)
+# How much of what a frame took beside the sand is foreseen for the next: some work comes now and then.
+REMEMBERED = 0.97
 LEAST_STEPPING_NS = 2_000_000  # left to the sand even where the rest of a frame has spent the budget
 LONG_WAY_S = 0.3  # a way to another moment that takes longer is shown
 

@@ -197,15 +197,8 @@ class Parts:
         self.overlays = [self.glow, self.block_card, self.ruler, self.minimap, *self.cards[::-1]]
         hints = Hints(self.settings, sessions, display, notices)
         room_hint = RoomHint(sessions, display, notices)
-        self.watchers = [
-            self.recorder,
-            self.settings_saver,
-            self.camera.badge,
-            self.stats_card,
-            self.hiss,
-            hints,
-            room_hint,
-        ]
+        self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss]
+        self.watchers += [hints, room_hint]
         self.watchers += [self.forecasting, self.density, self.plots, self.fast_forward, self.timer, self.glow]
         self.watchers += [self.rule_change, self.rule_files, self.block_card, self.ruler, self.window_glass]
 

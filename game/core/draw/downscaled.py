@@ -27,7 +27,7 @@ _SUMS = np.uint64(16)  # words that hold the sums of all lanes, in 16 bits each
 _NONE = np.float32(-1e9)  # no amount of light
 _GREEN, _BLUE = np.uint64(16400), np.uint64(2 * 16400)  # where the green and the blue light of a row starts: more than
 # the widest lattice has columns
-_ZERO, _ONE, _TWO, _EIGHT = np.uint64(0), np.uint64(1), np.uint64(2), np.uint64(8)
+_ZERO, _ONE, _EIGHT = np.uint64(0), np.uint64(1), np.uint64(8)
 _HALVES = np.uint64(0x00FF00FF00FF00FF)
 
 

@@ -10,11 +10,8 @@ from game.play.ui import theme as look
 from game.play.window.large_pointer import show_large, show_usual
 
 ITERATION, P, PARTITION, CLOCK = LINES = "iteration", "p", "partition", "clock"
-LEAST_HEIGHT, HEIGHT, TIMER_HEIGHT = (
-    0.05,
-    0.16,
-    0.24,
-)  # of the window's, that the large letters take, and those of a running timer
+# Of the window's height, what the end of the stage, the large letters and those of a running timer take.
+LEAST_HEIGHT, HEIGHT, TIMER_HEIGHT = 0.05, 0.16, 0.24
 CLOCK_SHARE = 0.38  # of their width, at most, for the clock
 PAD = 0.12  # of their height, around them
 GAP = "     "

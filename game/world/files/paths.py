@@ -12,14 +12,8 @@ from game.world.files.atomic import clear_parts, make_folder, save_as_new
 PACKAGE = Path(__file__).resolve().parents[2]
 LONGEST_NAME = 40  # characters of a file's name, without time and suffix
 NO_NAMES = re.compile(r"(con|prn|aux|nul|com\d|lpt\d)(\..*)?", re.IGNORECASE)  # of files, for Windows
-KINDS = (
-    "scenes",
-    "stamps",
-    "replays",
-    "pictures",
-    "measures",
-    "rules",
-)  # of files that the user makes, each in a folder of its own
+# Of files that the user makes, each in a folder of its own.
+KINDS = "scenes", "stamps", "replays", "pictures", "measures", "rules"
 
 
 def asset(*parts):

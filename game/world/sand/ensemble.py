@@ -17,9 +17,8 @@ from game.world.sand.fixtures import act_on_replicas, changed_bits, pause
 from game.world.sand.material_codes import SAND_NAME, check_held
 
 MOST_WORDS = 64  # words of a bit of a cell in a group at most; more is no faster
-GROUP_WORDS = (
-    2**23
-)  # words of a bit of all cells in a group, 64 MiB; more is faster on large lattices, but slow to lay out
+# Words of a bit of all cells in a group, 64 MiB; more is faster on large lattices, but slow to lay out.
+GROUP_WORDS = 2**23
 FEW_WORDS = 8  # words in the first group of a forecast that grows: so much is cheaper by the run than less
 BITE = 15_000  # work between two looks at `cancelled`, 1-10 ms; less costs speed on small lattices
 STATE_CELLS = 64  # cells of a lattice whose state fits a word

@@ -36,11 +36,6 @@ class Stamp:
         """(height, width) in cells."""
         return self.cells.shape
 
-    @property
-    def is_empty(self):
-        """Whether there is nothing in it."""
-        return not self.cells.any() and not self.fixtures
-
     def turned(self, quarters):
         """Return it after so many quarter turns, clockwise."""
         fixtures = tuple(each.turned(quarters, self.shape) for each in self.fixtures)

@@ -150,14 +150,8 @@ class Load:
     seed: int
 
 
-IN_PLACE = (
-    Paint,
-    Draw,
-    Fill,
-    Paste,
-    Move,
-    Clear,
-)  # acts that change the planes of a world; others make new ones or leave them
+# Acts that change the planes of a world; others make new ones or leave them.
+IN_PLACE = Paint, Draw, Fill, Paste, Move, Clear
 
 
 class Applied(NamedTuple):
