@@ -3,17 +3,18 @@
 import pytest
 
 from game import rule_names
-from tests.export.library import FOLDER, LARGE, STRICT, builds, run, texts_of
+from tests.export.library import FOLDER, STRICT, builds, run, texts_of
+from tests.sweeps import sweep
 
 SANITIZERS = ("-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-RULES = rule_names() if LARGE else ("rolling-sand",)
+CASES = [("rolling-sand", "-O0"), *sweep((name, "-O1") for name in rule_names())]
 
 
-@pytest.mark.parametrize("name", RULES)
-def test_a_header_called_at_random_keeps_to_its_memory(name, tmp_path):
+@pytest.mark.parametrize(("name", "level"), CASES)
+def test_a_header_called_at_random_keeps_to_its_memory(name, level, tmp_path):
     compiler = builds()[0].split()[0]
     (tmp_path / "sandglass.h").write_text(texts_of(name)["sandglass.h"], encoding="utf-8")
-    flags = ("-std=c99", *STRICT, *SANITIZERS, "-O1" if LARGE else "-O0", "-I", tmp_path)
+    flags = ("-std=c99", *STRICT, *SANITIZERS, level, "-I", tmp_path)
     try:
         run(compiler, *flags, FOLDER / "fuzz.c", "-o", tmp_path / "fuzz")
     except AssertionError as error:
