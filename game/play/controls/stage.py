@@ -41,7 +41,7 @@ class Stage:
         else:
             self._panel_shown, display.panel_shown, display.on_stage = display.panel_shown, False, True
             show_large(self._settings["ui_scale"])
-            self._notices.say(HINT)
+            self._notices.say(HINT, holds=lambda: self.on)
         display.lay_out_anew()
 
     @property

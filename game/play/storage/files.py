@@ -119,7 +119,7 @@ class Files:
 
 
 def read(path):
-    """Return what a file holds, and its name; raise the file's error, one line, if it is none of these.
+    """Return what a file holds, and what it is called; raise the file's error, one line, if it is none of these.
 
     It is a Scene, Recording, SeededScene or Photo; of a rule it is the path alone.
     """
@@ -140,7 +140,7 @@ def read(path):
         _made_ready(lambda: scene)
     elif isinstance(found, Recording):
         make_recording_ready(found)
-    return found, as_line(path.stem)
+    return found, as_line(found.title if isinstance(found, Scene) else path.stem)
 
 
 def _made_ready(made):

@@ -50,7 +50,7 @@ class Hints:
                 self._remember(hint)
         for hint in left:
             if hint.name != done and self._is_moment(hint, now_s):
-                self._notices.say(hint.words)
+                self._notices.say(hint.words, holds=self._is_of_use)
                 self._last_s = now_s
                 self._remember(hint)
                 return
@@ -81,7 +81,7 @@ class Hints:
         return None
 
     def _is_moment(self, hint, now_s):
-        if self._display.page or self._display.on_stage or self._notices.line or self._sessions.can_leave:
+        if not self._is_of_use() or self._notices.line or self._sessions.can_leave:
             return False
         if now_s - self._start_s < hint.after_s or hint.of_sand not in (None, self._sessions.now.rule.codes.is_sand):
             return False
@@ -89,6 +89,10 @@ class Hints:
             return False
         rests = self._still_since_s is not None and now_s - self._still_since_s > STILL_S
         return hint.name != "flip" or (rests and self._sessions.now.world.grains > 0)
+
+    def _is_of_use(self):
+        """Return whether the window is the one that hints are about."""
+        return not self._display.page and not self._display.on_stage
 
     def _remember(self, hint):
         self._settings["hints_seen"] = (*self._settings["hints_seen"], hint.name)

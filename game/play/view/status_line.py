@@ -17,15 +17,19 @@ class StatusLine:
     def __init__(self, stats):
         self._stats = stats
         self._written = None  # the Reading that the words are of
+        self._material = ""  # … and the material
         self._pace = self._grains = ""
         self._alarm = False  # something is to be noticed
 
     def update(self, session, material):
-        """Write the words anew, if there is a new reading; material: the one to tell of, where there are several."""
+        """Write the words anew, if they are of another reading or material.
+
+        material: the one to tell of, where there are several.
+        """
         reading, grains, account = self._stats.reading, self._stats.grains, self._stats.account
-        if reading is self._written:
+        if reading is self._written and (reading is None or material == self._material):
             return
-        self._written, balanced = reading, account.agrees(grains)
+        self._written, self._material, balanced = reading, material, account.agrees(grains)
         self._pace, self._grains = _pace(reading, session), _told(grains, account, session.rule.codes, material)
         self._alarm = (reading.full and not session.paused) or not balanced
 
@@ -103,8 +107,8 @@ def _told(now, account, codes, material):
     """Return how much there is, and what is wrong where the account, by kind like it, tells of something else."""
     if codes.is_sand:
         said = counted(sum(now), "grain")
-    elif material in codes.told and (own := sum(now[code] for code in codes.codes_of(material))):
-        said = f"{counted(own, 'cell')} of {material}"
+    elif material in codes.told_of(codes.filled):
+        said = f"{counted(sum(now[code] for code in codes.codes_of(material)), 'cell')} of {material}"
     else:
         said = counted(sum(now), "cell")
     if account.agrees(now):

@@ -99,6 +99,14 @@ def test_with_no_line_chosen_the_sand_has_their_room_and_the_mouse_still_finds_t
     assert not glass.parts.stage.on
 
 
+def test_how_to_leave_it_is_said_no_longer_than_it_lasts(glass):
+    glass.key(pygame.K_F5)
+    assert "ends the stage" in glass.parts.notices.text
+    glass.key(pygame.K_F5)
+    glass.wait(1)
+    assert glass.parts.notices.text is None
+
+
 def test_a_notice_is_told_there(glass):
     staged(glass)
     glass.parts.notices.say("A line to be read.")

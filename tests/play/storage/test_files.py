@@ -224,6 +224,12 @@ def test_a_dropped_scene_file_is_played(player, tmp_path):
     assert player.world.shape == (2, 3) and player.world.grains == 2
 
 
+def test_a_scene_is_said_to_be_opened_by_its_title(player):
+    player.parts.files.open_shipped("winter-pond")
+    player.settle()
+    assert player.parts.notices.text == "Opened Winter pond. Ctrl+Z takes you back."
+
+
 def test_a_scene_file_that_was_edited_is_shown_by_its_new_title(player, tmp_path):
     path = tmp_path / "own.toml"
     for title in ("First", "Second"):

@@ -52,6 +52,19 @@ def test_under_a_rule_of_many_materials_the_hint_is_of_them_and_not_of_p():
     pygame.display.quit()
 
 
+@pytest.mark.parametrize("elsewhere", ["gallery", "help", "stage"])
+def test_a_hint_goes_with_the_window_that_it_is_about(glass, elsewhere):
+    assert said(glass, HINTS[0].after_s + 1) == [PAINT]
+    go = {
+        "gallery": lambda: glass.parts.gallery.toggle(0),
+        "help": glass.parts.help.toggle,
+        "stage": glass.parts.stage.toggle,
+    }
+    go[elsewhere]()
+    glass.wait(2)
+    assert glass.parts.notices.text != PAINT
+
+
 def test_what_is_done_in_a_replay_is_not_known_to_who_looks_on(glass):
     for name in demos():
         glass.parts.files.play_demo(name)

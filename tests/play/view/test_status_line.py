@@ -8,6 +8,7 @@ from game.play.ui import theme as look
 from game.play.view.frame_stats import FrameTime, read
 from game.play.view.overlays.stats_card import BUSY, FULL
 from game.world.sessions.action import Paint
+from tests.play.player import Player
 
 MS = 10**6
 BUDGET_MS = 16
@@ -74,6 +75,18 @@ def test_the_line_tells_the_speed_and_the_grains_and_no_more(glass):
 def test_the_line_says_when_the_sand_rests(player):
     player.wait(40)
     assert line(player)[0] == "The sand is at rest    0 grains"
+
+
+def test_of_several_materials_the_line_counts_the_one_in_hand_even_where_time_stands_or_there_is_none():
+    player = Player("kitchen")
+    player.hold_time()
+    for name in ("sand", "lava", "fire", "wall"):
+        player.parts.brush.material = name
+        player.wait(30)
+        count = player.world.where(name).sum() if name != "wall" else player.world.grains
+        assert line(player)[0] == f"Paused    {count:,} cells" + f" of {name}" * (name != "wall")
+    assert not player.world.where("fire").any()
+    pygame.display.quit()
 
 
 def test_too_high_a_speed_is_said_plainly_with_what_is_reached(glass):
