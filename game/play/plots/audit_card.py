@@ -2,9 +2,10 @@
 
 A row is a sum: start + painted - erased + poured - swallowed = now. A column of zeros is left out. Where there is too
 little room for that, one column tells what came and one what went; then large numbers are rounded; and in the end only
-the grains that are there now are shown.
+the grains that are there now are shown, with as many rows beside each other as it takes.
 """
 
+import math
 from itertools import product
 from typing import NamedTuple
 
@@ -16,7 +17,7 @@ from game.play.ui import theme as look
 
 SWATCH = 9  # pixels at scale 1
 GAP = 5  # from one column to the next
-WIDE = 210  # a row with all its columns
+WIDE, NARROW = 210, 72  # a row with all its columns, and one of what there is now
 CLOSEST = 0.9  # of their usual height: lines where there is little room
 KEPT = "the books balance"  # where materials become others
 ALL = "all"  # the row of the sums
@@ -72,10 +73,20 @@ def heights(theme, account):
 
 
 def widths(theme, account, room):
-    """Return the widths in pixels that a card of `room` pixels' height would like, for rows in one column or two."""
-    line = CLOSEST * theme.line_height(look.SMALL)
-    one = _chrome(theme) + AuditTable(False, 1, (), None).lines(account) * line <= room
-    return [theme.px(WIDE) if one else theme.px(2 * WIDE)]
+    """Return the widths in pixels that a card of `room` pixels' height would like, the greatest first."""
+    line = _least_line(theme)
+    fits = (across for across in ACROSS if _chrome(theme) + _rows_alone(across).lines(account) * line <= room)
+    across = next(fits, ACROSS[-1])
+    return [theme.px(across * wide) for wide in ((WIDE, NARROW) if across > 2 else (WIDE,))]
+
+
+def _rows_alone(across):
+    return AuditTable(False, across, (), None)
+
+
+def _least_line(theme):
+    """Return the pixels of the lowest line that can be read."""
+    return math.ceil(CLOSEST * theme.line_height(look.SMALL))
 
 
 def _chrome(theme):
@@ -97,7 +108,7 @@ def _sums(theme, room, account, lines):
 
 def _fitting(theme, room, account):
     """Return the fullest AuditTable that fits the room, or the smallest there is."""
-    high = CLOSEST * theme.line_height(look.SMALL)
+    high = _least_line(theme)
     for (sums, across, columns), spell in product(LAYOUTS, (_exact, _rounded)):
         table = AuditTable(sums, across, tuple(columns(account)), spell)
         if table.lines(account) * high <= room.height and _is_wide_enough(theme, room, table):
@@ -175,6 +186,7 @@ def _now_alone(account):
     return _came_and_went(account)[-1:]
 
 
+ACROSS = 1, 2, 3, 4  # so many rows beside each other
 LAYOUTS = (  # the fullest first: with the sums?, columns of rows, numbers of a row
     (True, 1, _all_columns),
     (True, 1, _came_and_went),
@@ -182,8 +194,9 @@ LAYOUTS = (  # the fullest first: with the sums?, columns of rows, numbers of a 
     (False, 1, _came_and_went),
     (False, 2, _all_columns),
     (False, 2, _came_and_went),
-    (False, 1, _now_alone),
-    (False, 2, _now_alone),
+    (False, 3, _came_and_went),
+    (False, 4, _came_and_went),
+    *((False, across, _now_alone) for across in ACROSS),
 )
 
 

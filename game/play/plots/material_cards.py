@@ -67,9 +67,8 @@ def books_card(theme, rect, account, amounts, books):
         ]
     top = room.y
     for book, *numbers in lines:
-        words, spelt = _words(theme, book, room.width), _spelt(*numbers, book.but)
-        if theme.width(spelt, look.SMALL) > room.width:
-            spelt = _spelt(*numbers, book.but, zeros=False)
+        words = _fitting(theme, _words(book), room.width)
+        spelt = _fitting(theme, _spelt(*numbers, book.but), room.width)
         one = theme.width(f"{words}  {spelt}", look.SMALL) <= room.width
         if top + high * (1 if one else 2) > room.bottom:
             break
@@ -80,26 +79,36 @@ def books_card(theme, rect, account, amounts, books):
     return strokes
 
 
-def _words(theme, book, width):
-    """Return which materials a book adds up, and the events that may change that, by name if there is room."""
+def _words(book):
+    """Return what may be said of a book, the longest first: its materials, and the events that may change the sum."""
     if not book.but:
-        return book.words
-    full = f"{book.words}, but {' and '.join(book.but)}"
-    return full if theme.width(full, look.SMALL) <= width else f"{book.words}, but {len(book.but)} events"
+        return (book.words,)
+    count = len(book.but)
+    named = f"{book.words}, but {' and '.join(book.but)}"
+    return named, f"{book.words}, but {count} event{'s' * (count > 1)}", book.words
 
 
-def _spelt(start, came, gone, other, now, but, zeros=True):
-    """Return a sum in figures: at the start, put in, taken out, what events that may did, and what is there.
+def _spelt(start, came, gone, other, now, but):
+    """Return a sum in figures, the longest first: with the terms that are 0, without them, and without words.
 
-    other: what events under other rules before did. zeros: write terms that are 0, too.
+    It is what there was at the start, was put in and taken out, what events that may did, and what is there.
+    other: what events under other rules before did.
     """
     by_events = now - (start + came - gone) if but else other
-    terms = [f"+ {came:,}"] * bool(came or zeros) + [f"– {gone:,}"] * bool(gone or zeros)
-    if by_events or (but and zeros):
-        terms.append(f"{'–' if by_events < 0 else '+'} {abs(by_events):,} by events")
     kept = start + came - gone + by_events
-    spelt = " ".join([f"{start:,}", *terms, f"= {kept:,}"])
-    return spelt if kept == now else f"{spelt}, but {now:,} are there"
+    wrong = "" if kept == now else f", but {now:,} are there"
+    found = []
+    for zeros, words in ((True, " by events"), (False, " by events"), (False, "")):
+        terms = [f"+ {came:,}"] * bool(came or zeros) + [f"– {gone:,}"] * bool(gone or zeros)
+        if by_events or (but and zeros):
+            terms.append(f"{'–' if by_events < 0 else '+'} {abs(by_events):,}{words}")
+        found.append(" ".join([f"{start:,}", *terms, f"= {kept:,}"]) + wrong)
+    return tuple(found)
+
+
+def _fitting(theme, texts, width):
+    """Return the first of some texts that there is room for, or the last."""
+    return next((text for text in texts if theme.width(text, look.SMALL) <= width), texts[-1])
 
 
 def _sum(account, codes):

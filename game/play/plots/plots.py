@@ -3,7 +3,7 @@
 import math
 import time
 from functools import partial
-from itertools import accumulate, pairwise
+from itertools import pairwise
 
 import pygame
 
@@ -30,7 +30,6 @@ WATCH_SHARE = 20  # counting the reactions of one iteration in each frame may ta
 GAP = 6  # pixels at scale 1 between cards
 LEAST_CARD = 144  # pixels at scale 1: width of a card whose title and value have room
 LOWEST_CARD, LOWEST_COMPARED = 86, 124  # pixels at scale 1: height of a card whose curves have room
-PARTS = 3, 3, 3, 2  # how the cards of several materials share the rest of the length
 MOST_AUDIT = 0.44  # of the cards' length, that the audit of coloured sand may take
 
 
@@ -235,18 +234,14 @@ class Plots:
             )
             audit = max(audit, next((side + gap for side in wanted if side + gap <= most), most))
         rest = length - audit
-        parts = (1,) * (count - 1) if self._sessions.now.rule.codes.is_sand else PARTS[: count - 1]
-        starts = [0, *accumulate(parts)]
-        return [*(rest * start // sum(parts) for start in starts), length]
+        return [*(rest * number // (count - 1) for number in range(count)), length]
 
     def _flow(self, rect):
         flows = self.measurements.flows()
         known = [each for each in flows if not math.isnan(each)]
         now = "" if not flows or math.isnan(flows[-1]) else f"{flows[-1]:.3g} grains/it."
-        theme, title = self._display.theme, f"Flow at row {self.measurements.row:,}"
-        if theme.width(f"{title} {now}", look.SMALL) > rect.width - 2 * theme.px(charts.PAD):
-            title = "Flow"
-        strokes, room = charts.card(theme, rect, title, now)
+        title = self._title(rect, f"Flow at row {self.measurements.row:,}", "Flow", now)
+        strokes, room = charts.card(self._display.theme, rect, title, now)
         strokes, room = self._named(strokes, room, "grains per iteration")
         room, foot = charts.with_foot(self._display.theme, room, self._nows())
         low = -charts.round_up(-min([0.0, *known]))
@@ -273,8 +268,9 @@ class Plots:
         return pile_card(self._display.theme, rect, self.measurements, self._display.on_stage)
 
     def _frames(self, rect):
-        samples = self.measurements.samples
-        strokes, room = charts.card(self._display.theme, rect, "Slowest frame", _spell_ms(samples[-1].frame_ms))
+        samples, now = self.measurements.samples, _spell_ms(self.measurements.samples[-1].frame_ms)
+        title = self._title(rect, "Slowest frame", "Frame", now)
+        strokes, room = charts.card(self._display.theme, rect, title, now)
         numbers, budget = [each.frame_ms for each in samples], BUDGET_NS / 1e6
         high = charts.round_up(max(2 * budget, *numbers))
         figures, room = self._scale(room, 0, high, [(budget, f"{budget:g} ms")])
@@ -301,6 +297,12 @@ class Plots:
         if not self._display.on_stage:
             return strokes, room
         return charts.with_name(self._display.theme, strokes, room, name)
+
+    def _title(self, rect, title, short, now):
+        """Return the title of a card, or the short one where there is no room for it beside what the card says now."""
+        theme = self._display.theme
+        fits = theme.width(f"{title} {now}", look.SMALL) <= rect.width - 2 * theme.px(charts.PAD)
+        return title if fits else short
 
     def _nows(self):
         return [each.now for each in self.measurements.samples]
