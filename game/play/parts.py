@@ -133,7 +133,7 @@ class Parts:
         )
         self.gallery = GalleryPage(self.display, self.sessions, self.files, self.stamps, self.background, self.notices)
         self.help = HelpPage(self.display)
-        self.material_page = MaterialPage(self.display, self.sessions, self.brush)
+        self.material_page = MaterialPage(self.display, self.sessions, self.rule_change, self.brush)
         self.display.pages = self.help, self.gallery, self.material_page
         self.hiss = Hiss(self.sessions, self.settings, self.audio, self.background, self.notices)
         self.planner = RunOutPlanner(self.sessions, self.background)

@@ -1,12 +1,14 @@
-"""The page of a material: how it moves, and what it becomes with others, as its rule says."""
+"""The page of a material: how it moves, what it becomes with others, and how likely that is, which can be turned."""
 
 import pygame
 
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.card import draw_box
-from game.play.ui.widgets import Ui
+from game.play.ui.widgets import PAD, Ui
+from game.play.view.chance_sliders import ChanceSliders
 from game.play.view.swatches import striped, swatches_of
+from game.world.rules.dials import dials_of
 from game.world.rules.reactions import behaviour, reactions
 
 WIDTH = 560  # pixels at scale 1
@@ -17,16 +19,19 @@ CHANCE = 74  # at the right edge
 SHADE = 150  # of what lies behind the page: 0 is black, 255 as it is
 ALONE = "Nothing changes it, and it changes nothing: it only moves."
 STILL = "Nothing changes it, and it changes nothing."
+NUMBERS = "How likely each is in a block of 2×2 cells where it can happen:"
 
 
 class MaterialPage:
     """The page, over the window while it is open. The sand goes on behind it."""
 
-    def __init__(self, display, sessions, brush):
+    def __init__(self, display, sessions, changes, brush):
         self._display, self._sessions, self._brush = display, sessions, brush
+        self._sliders = ChanceSliders(sessions, changes)
         self.shown = False
         self._ui = None
         self._rect = pygame.Rect(0, 0, 0, 0)
+        self._height = None, 0  # what the greatest height of a page is of, and the height
         self._shaded = False
 
     def toggle(self):
@@ -61,7 +66,10 @@ class MaterialPage:
         self._ui.theme = self._display.theme
         self._place()
         rest = self._ui.begin(self._rect, events, now_s, mouse_pos)
-        if self._lay_out(self._ui):
+        self._sliders.begin()
+        closes = self._lay_out(self._ui, self._name)
+        self._sliders.end(self._ui)
+        if closes:
             self.toggle()
         return rest
 
@@ -77,20 +85,41 @@ class MaterialPage:
         return [surface.get_rect()] if whole else [self._rect] if drawn else []
 
     def _place(self):
-        """Stand in the middle of the window, as high as it needs to be."""
+        """Stand in the middle of the window, as high as the page of any material needs to be."""
         px, size = self._display.theme.px, self._display.window.size
         wide = min(px(WIDTH), size[0] - 2 * px(AROUND))
-        rect = pygame.Rect(0, 0, wide, size[1] - 2 * px(AROUND))
+        rect = pygame.Rect(0, 0, wide, min(self._tallest(wide), size[1] - 2 * px(AROUND)))
         rect.center = size[0] // 2, size[1] // 2
         if rect != self._rect:
             self._rect, self._shaded = rect, False
 
-    def _lay_out(self, ui):
-        """Show the materials, and what there is to say of the brush's; return whether the page is to be closed."""
-        rule = self._sessions.now.rule
+    def _tallest(self, wide):
+        """Return the pixels that the page of the material with the most to say takes."""
+        theme = self._display.theme
+        looks = theme, wide, self._sessions.now.rule.definition.plain
+        if self._height[0] != looks:
+            ui, bottoms = Ui(theme), []
+            for name in self._names:
+                ui.begin(pygame.Rect(0, 0, wide, 0), [])
+                self._lay_out(ui, name)
+                bottoms.append(ui.bottom)
+            self._height = looks, max(bottoms) + theme.px(PAD)
+        return self._height[1]
+
+    @property
+    def _names(self):
+        """The names of the materials that have a page."""
+        return [name for name in self._brush.materials if name in self._sessions.now.rule.codes.told]
+
+    @property
+    def _name(self):
+        """The name of the material whose page is open."""
+        return self._brush.material if self._brush.material in self._names else self._names[0]
+
+    def _lay_out(self, ui, name):
+        """Show the materials, and what there is to say of that one; return whether the page is to be closed."""
+        rule, names = self._sessions.now.rule, self._names
         told, swatches = rule.definition, swatches_of(ui.theme.colours, rule.definition.materials)
-        names = [name for name in self._brush.materials if name in rule.codes.told]
-        name = self._brush.material if self._brush.material in names else names[0]
         ui.heading(f"What {name} does")
         colours = [swatches[rule.codes.told.index(each)] for each in names]
         labels, index = [each.capitalize() for each in names], names.index(name)
@@ -101,19 +130,35 @@ class MaterialPage:
         code = rule.codes.told.index(name)
         ui.text(behaviour(told, code), dim=True)
         found = reactions(rule, code)
+        if found:
+            ui.text(NUMBERS, dim=True)
         for each in found:
-            _show(ui, each, swatches)
+            dial = _dial(told, each)
+            if dial:
+                self._sliders.show(ui, dial, _sentence(each.words), each.picture)
+            else:
+                _show(ui, each, swatches)
         if not found:
             ui.text(STILL if told.materials[code].kind == "solid" else ALONE)
         return ui.button("Close", key="Esc", tip="Goes back to the scene")
 
 
+def _dial(definition, reaction):
+    """Return the Dial of the chance of a reaction, or None if it cannot be turned."""
+    dials = [dial for of_one in dials_of(definition.plain).values() for dial in of_one]
+    mine = [dial for dial in dials if dial.event == reaction.event and "." not in dial.knob.name]
+    return mine[0] if len(mine) == 1 else next((dial for dial in mine if dial.picture == reaction.picture), None)
+
+
+def _sentence(words):
+    return words[:1].upper() + words[1:]
+
+
 def _show(ui, reaction, swatches):
-    """Show a reaction: its picture, its words and its name, and how likely it is."""
+    """Show a reaction that cannot be turned: its picture, its words and its name, and how likely it is."""
     px, width = ui.theme.px, ui.theme.width
     line, small = ui.theme.line_height(look.BODY), ui.theme.line_height(look.SMALL)
-    words = reaction.words[:1].upper() + reaction.words[1:]
-    lines = ui.theme.lines(words, look.BODY, ui.width - px(PICTURE) - px(CHANCE))
+    lines = ui.theme.lines(_sentence(reaction.words), look.BODY, ui.width - px(PICTURE) - px(CHANCE))
     high = max(len(lines) * line + small, px(CELL_BOX))
     rect = ui.place(high + px(8), 0)
     before, after = striped(reaction.picture, swatches)
@@ -127,11 +172,11 @@ def _show(ui, reaction, swatches):
         place = pygame.Rect(left, rect.y + number * line, rect.right - px(CHANCE) - left, line)
         ui.stroke(draw_list.words, place, text, look.BODY, look.TEXT, 0)
     below = pygame.Rect(left, rect.y + len(lines) * line, rect.right - left, small)
-    ui.stroke(draw_list.words, below, f"{reaction.event} ({reaction.layer})", look.SMALL, look.FAINT, 0)
+    ui.stroke(draw_list.words, below, reaction.event, look.SMALL, look.FAINT, 0)
     chance = pygame.Rect(rect.right - px(CHANCE), rect.y, px(CHANCE), line)
     spelt = spelled(reaction.chance)
     size = look.BODY if width(spelt, look.BODY) <= chance.width else look.SMALL
-    ui.stroke(draw_list.words, chance, spelt, size, look.ACCENT, 1)
+    ui.stroke(draw_list.words, chance, spelt, size, look.DIM, 1)
 
 
 def spelled(chance):

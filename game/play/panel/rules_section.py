@@ -1,16 +1,11 @@
 """The panel's section of the rule: which one is played, and all that can be turned in it."""
 
-from dataclasses import replace
-
 from game.play.ui.slider_scale import SliderScale
-from game.play.view.swatches import striped, swatches_of
+from game.play.view.chance_sliders import ChanceSliders
 from game.world.rules.dials import dials_of
 from game.world.rules.rule import PROBABILITIES, SAND, SCHEDULES, Rule
 from game.world.sand import parameters
 
-ENDS, RARE_ENDS = ("never", "always"), ("never", "often")  # of a chance
-RARE = 0.05  # below it a chance has a slider of its own length, or no hand could set it
-SPAN = 20  # the length of that, in usual values
 SCHEDULE_TIP = (
     "The order in which the partitions into blocks take turns. Margolus: two partitions; piles grow on one side first. "
     "Paper: four; grains alternate sides. Balanced: the same four in another order; grains fall evenly, twice as fast."
@@ -22,26 +17,26 @@ SEVEN_TIP = "How likely each event in a block of 2×2 cells is"
 
 
 class RulesSection:
-    """The rules, and the sliders of a session's rule; a drag of one is one act."""
+    """The rules, and the sliders of a session's rule."""
 
     def __init__(self, sessions, changes, rule_files, brush):
         self._sessions, self._changes, self._files, self._brush = sessions, changes, rule_files, brush
         self._all_open = self._lean_open = False  # the folds of all that can be turned, and of bias, schedule and file
         self._open = {}  # {material: whether its fold is open}, where the player has chosen
-        self._turning = False  # a slider is being dragged, and what it sets is one act
-        self._turned = False  # … in this frame
+        self._sliders = ChanceSliders(sessions, changes)
         self._rule = None  # the rule of sand that _p and _bias stand for
         self._p = self._bias = 0.0
 
     def lay_out(self, ui):
         """Show the section and do what it was told."""
-        rule, self._turned = self._sessions.now.rule, False
+        rule = self._sessions.now.rule
+        self._sliders.begin()
         self._choose_rule(ui)
         if rule.is_sand:
             self._of_sand(ui, rule, self._sessions.now.scene.rule)
         else:
             self._of_any(ui, rule)
-        self._turning = ui.focus.held is not None and (self._turning or self._turned)
+        self._sliders.end(ui)
 
     def _choose_rule(self, ui):
         ui.skip(ui.theme.px(2))
@@ -69,26 +64,7 @@ class RulesSection:
             if unfolded != is_open:
                 self._open[names[code]] = unfolded
             for each in of_one if unfolded else ():
-                self._dial(ui, rule, each)
-
-    def _dial(self, ui, rule, dial, label=None):
-        """Show the slider of a Dial."""
-        knob, value, usual = dial.knob, self._changes.value(dial.knob.name), self._sessions.now.scene.rule
-        same = usual.definition.source == rule.definition.source
-        default = usual.number(knob.name) if same else knob.default
-        before, after = striped(dial.picture, swatches_of(ui.theme.colours, rule.definition.materials))
-        tip = f"How likely it is in a block where it can happen: {dial.event}."
-        words = label or dial.label
-        name = knob.name if "." in knob.name else words
-        if 0 < default < RARE and value <= SPAN * default:
-            knob = replace(knob, high=SPAN * default, ends=RARE_ENDS)
-        knob = replace(knob, ends=knob.ends or ENDS)
-        turned = ui.slider_with_picture(
-            words, knob, value, before, after, default=default, tip=tip, name=name, spell="{:.3g}".format
-        )
-        if turned != value:
-            self._changes.turn(knob.name, turned, join=self._turning)
-            self._turned = True
+                self._sliders.show(ui, each)
 
     def _show_file(self, ui):
         """Show what is to be done with the rule's file."""
@@ -102,8 +78,8 @@ class RulesSection:
     def _play(self, ui, rule):
         """Play by a rule, if it is another."""
         if rule is not self._sessions.now.rule:
-            self._changes.to(rule, join=self._turning)
-            self._turned = True
+            self._changes.to(rule, join=self._sliders.turning)
+            self._sliders.note_turn()
 
     # --- the paper's sand ---
 
@@ -123,7 +99,7 @@ class RulesSection:
         dials = [each for of_one in dials_of(SAND).values() for each in of_one]
         for knob in PROBABILITIES if self._all_open else ():
             dial = next(each for each in dials if each.knob is knob)
-            self._dial(ui, rule, dial, knob.name.replace("_", " ").capitalize())
+            self._sliders.show(ui, dial, knob.name.replace("_", " ").capitalize())
 
     def _lean(self, ui, usual):
         """Show bias and schedule."""

@@ -39,7 +39,7 @@ def test_every_reaction_is_written_whole(player, size, scale):
     player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
     player.parts.material_page.toggle()
     words = " ".join(player.words().split())
-    assert "With lava becomes stone and steam" in words and "water quenches lava (reactions)" in words
+    assert "With lava becomes stone and steam" in words and "water quenches lava" in words
     assert "0.8" in words and "It sinks in oil." in words
 
 
@@ -48,6 +48,55 @@ def test_what_is_turned_is_what_the_page_says(player):
     player.session.timeline.moment.rule = rule.with_chances(dissolve=0.875)
     player.parts.material_page.toggle()
     assert "0.875" in player.words()
+
+
+def turnable(player):
+    """Return {what the open page says of it: the place of its handle's way} for all that can be turned there."""
+    ui = player.parts.material_page._ui
+    return {name: ui.parts(name)[0] for name in ui.focus.slots if name.startswith(("With ", "By itself "))}
+
+
+def test_what_the_page_tells_is_turned_there_as_one_act(player):
+    player.parts.brush.material = "plant"
+    player.parts.material_page.toggle()
+    player.wait(1)
+    track = turnable(player)["With fire becomes fire twice"]
+    player.drag(*((track.x + share * track.width // 8, track.centery) for share in (4, 6, 8)))
+    player.settle()
+    player.wait(2)
+    assert player.session.rule.chances["kindle"] == 1.0 and "With fire becomes fire twice" in player.words()
+    player.parts.commands.give("time.undo")
+    assert player.session.rule.chances["kindle"] == 0.5
+
+
+def test_every_chance_of_what_changes_a_material_is_turned_on_the_page_of_one(player):
+    count, chances = 0, player.session.rule.chances
+    for name in player.parts.brush.materials[:-1]:
+        player.parts.brush.material = name
+        player.parts.material_page.toggle()
+        player.wait(1)
+        for handle in turnable(player).values():
+            player.click((handle.right - 20, handle.centery))
+            count += 1
+        player.parts.material_page.toggle()
+    player.settle()
+    same = {name for name, chance in player.session.rule.chances.items() if chance == chances[name]}
+    assert count > len(chances) and same == {"cling", "mix"}  # by which nothing becomes another
+
+
+def test_the_page_is_no_higher_than_the_longest_and_stays_where_it_is_from_one_to_the_next(player):
+    size = 1600, 1200
+    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    player.parts.material_page.toggle()
+    rects, ends = set(), []
+    for name in player.parts.brush.materials[:-1]:
+        player.parts.brush.material = name
+        player.wait(1)
+        rects.add(tuple(player.parts.material_page._rect))
+        ends.append(player.parts.material_page._ui.rects["Close"].bottom)
+    (rect,) = rects
+    assert 0 < pygame.Rect(rect).bottom - max(ends) < 30 and pygame.Rect(rect).height < 0.7 * size[1]
 
 
 def test_the_sand_goes_back_to_what_it_was_when_the_page_is_closed(player):
