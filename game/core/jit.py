@@ -28,7 +28,7 @@ from platformdirs import user_cache_dir
 
 from game.core.sealed_files import read_sealed, write_sealed
 
-MOST_KEPT = 96  # passes of rules that are kept: some 300 KB each
+MOST_KEPT = 256  # passes of rules that are kept: some 10 to 300 KB each
 FOLDERS_KEPT = 3  # caches of older sources and versions beside the current one; fewer means compiling after a switch
 
 

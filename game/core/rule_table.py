@@ -27,7 +27,7 @@ down, so -1 // 2 = -1. A row of blocks is dealt out to words = ceil(ceil(width /
     place = row · (words + 1) + word
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from hashlib import sha256
 
@@ -79,6 +79,7 @@ class RuleTable:
     outside: int  # code of what is outside of the lattice
     slots: tuple[str, ...]  # the names of the probabilities, for messages
     layers: tuple[tuple[Claim, ...], ...]
+    among: tuple[int, ...] | None = None  # the codes that occur, if not all in use do
 
     def __post_init__(self):
         if self.bits not in _BITS:
@@ -102,7 +103,8 @@ class RuleTable:
     @cached_property
     def digest(self):
         """Hex digits that name all that the table says, but for the names of the probabilities."""
-        digest = sha256(f"{self.bits} {self.codes} {self.outside}".encode())
+        among = "" if self.among is None else f" {self.among}"
+        digest = sha256(f"{self.bits} {self.codes} {self.outside}{among}".encode())
         for number, layer in enumerate(self.layers):
             for claim in layer:
                 digest.update(f"\n{number} {claim.face} {claim.event} ".encode() + claim.states.tobytes())
@@ -112,14 +114,40 @@ class RuleTable:
 
     @property
     def used_states(self):
-        """The block states with codes in use only, rising."""
+        """The block states of codes that occur, rising."""
         states = np.arange(self.states)
-        return states[np.all([codes < self.codes for codes in corners(states, self.bits)], axis=0)]
+        return states[_all_among(states, self.bits, range(self.codes) if self.among is None else self.among)]
+
+    @property
+    def claimed_states(self):
+        """The block states that some claim holds, rising."""
+        claimed = np.zeros(self.states, bool)
+        for layer in self.layers:
+            for claim in layer:
+                claimed[claim.states] = True
+        return np.flatnonzero(claimed)
 
     @property
     def has_fair_bit(self):
         """Whether a fair bit decides about any state."""
         return any(claim.face is not None for layer in self.layers for claim in layer)
+
+    def narrowed(self, codes):
+        """Return the RuleTable of the same rule for lattices, or parts of them, that hold some of the codes only."""
+        layers = tuple(
+            tuple(
+                Claim(
+                    claim.event,
+                    claim.states[held],
+                    tuple(replace(outcome, after=outcome.after[held]) for outcome in claim.outcomes),
+                    claim.face,
+                )
+                for claim in layer
+                if (held := _all_among(claim.states, self.bits, codes)).any()
+            )
+            for layer in self.layers
+        )
+        return replace(self, layers=layers, among=tuple(sorted(codes)))
 
 
 def corners(states, bits):
@@ -130,6 +158,13 @@ def corners(states, bits):
 def state_of(codes, bits):
     """Return the block state with these codes at the corners a b c d."""
     return sum(code << (bits * corner) for corner, code in enumerate(codes))
+
+
+def _all_among(states, bits, codes):
+    """Return which block states have nothing but some codes at their corners."""
+    among = np.zeros(2**bits, bool)
+    among[list(codes)] = True
+    return np.all([among[each] for each in corners(states, bits)], axis=0)
 
 
 def _check_claim(table, claim):

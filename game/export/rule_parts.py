@@ -1,10 +1,11 @@
 """The data of a rule as C: names, colours, probabilities, and what adds up to each threshold."""
 
 import re
+from functools import lru_cache
 from itertools import accumulate
 
-from game.core.compiler.plan import ALWAYS, CHANCE, NEVER, threshold_of, thresholds_of
-from game.core.compiler.rule_pass import edges_of, gates_of
+from game.core.compiler.plan import ALWAYS, CHANCE, NEVER, plan, threshold_of, thresholds_of
+from game.core.compiler.rule_pass import edges_of
 from game.core.rule_table import CERTAIN
 from game.export.c_text import listed, plain, text
 from game.export.pass_text import pass_text
@@ -22,7 +23,12 @@ def plan_of(rule):
         for claim in layer:
             for slots in thresholds_of(claim):
                 kinds[slots] = _kind(slots, named, rule.values)
-    return gates_of(rule.table, tuple(kinds.items()))
+    return _planned(rule.table, tuple(kinds.items()))
+
+
+@lru_cache(maxsize=4)
+def _planned(table, kinds):
+    return plan(table, dict(kinds))
 
 
 def _kind(slots, named, values):

@@ -63,13 +63,14 @@ def plan(table, kinds):
     fair = 4 * table.bits if table.has_fair_bit else None
     layers = tuple(_layer(table, layer, kinds, covers, used, fair) for layer in table.layers)
     many = len(circuit.cone([layer.event for layer in layers])) > WATCHED
-    return Plan(circuit, table.bits, fair, layers, _watch(table, covers) if many else None)
+    return Plan(circuit, table.bits, fair, layers, _watch(table, covers, used) if many else None)
 
 
-def _watch(table, covers):
+def _watch(table, covers, used):
     """Return a literal that is true for all states with an event, and false for blocks of four equal cells without."""
     wanted, unwanted = (np.zeros(table.states, bool) for _ in range(2))
     unwanted[[state_of([code] * 4, table.bits) for code in range(table.codes)]] = True
+    unwanted &= used
     for layer in table.layers:
         for claim in layer:
             wanted[claim.states] = True
@@ -207,6 +208,15 @@ def _deltas(covers, made, odd):
     for key, literals in odd.items():
         found.setdefault(key, []).extend(literals)
     return {key: literal for key in sorted(found) if (literal := circuit.any(found[key])) != FALSE}
+
+
+def gate_count(made):
+    """Return how many gates a Plan has."""
+    literals = [made.watch or FALSE]
+    for layer in made.layers:
+        literals += [layer.event, *layer.sure, *(group.blocks for group in layer.groups)]
+        literals += [literal for level in (*layer.deltas, *layer.moves) for literal in level.values()]
+    return len(made.circuit.cone(literals))
 
 
 def kinds_of(table, probabilities):

@@ -5,9 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.core.compiler import self_check
+from game.core.compiler import dispatch, self_check
+from game.core.compiler.dispatch import DispatchTable
 from game.core.compiler.machine_code import MachineCode, features, lanes, machine
-from game.core.compiler.plan import Plan, kinds_of, plan, threshold_of
+from game.core.compiler.narrowing import LEAST_GATES, NarrowPasses
+from game.core.compiler.plan import Plan, gate_count, kinds_of, plan, threshold_of, thresholds_of
 from game.core.compiler.vector_ir import NAME, chances_of, source
 from game.core.jit import kept
 from game.core.rule_table import corners
@@ -19,12 +21,13 @@ class Pass(NamedTuple):
     """A rule ready to run, for one set of probabilities."""
 
     code: MachineCode  # to be kept as long as its address is used
-    chances: np.ndarray  # see `vector_ir`
+    chances: np.ndarray  # see `vector_ir`, or `dispatch` where `kept` holds a DispatchTable
     outside: np.ndarray  # uint64: for each bit of a cell, payload last, a word of what is outside
     changing: np.ndarray  # bool: whether a bit of a cell can change
     outside_code: int
     edges: tuple  # two bools: whether blocks whose upper, and whose lower corners are outside have events
     lanes: int  # words it takes at a time
+    kept: object = None  # what `chances` leads to
 
     @property
     def run(self):
@@ -32,27 +35,70 @@ class Pass(NamedTuple):
         return self.code.address, self.outside, self.changing, self.chances
 
 
-@lru_cache(maxsize=64)
 def pass_of(table, probabilities, payload=0, most_lanes=None):
     """Return the Pass of a RuleTable for a tuple of probabilities, one for each slot.
 
-    payload: bits that go with a cell's content and decide nothing. most_lanes: words at a time at most. Raises
-    RuntimeError where the machine code of this machine does not do what the table says.
+    payload: bits that go with a cell's content and decide nothing. most_lanes: words at a time at most. Of a large rule
+    a later Pass may be quicker, see `narrowing`. Raises RuntimeError where the machine code of this machine does not do
+    what the table says.
     """
-    kinds = kinds_of(table, probabilities)
-    made = _compiled(table, tuple(kinds.items()), payload, min(lanes(), most_lanes or lanes()))
-    chances = chances_of(made.plan, lambda _, slots: threshold_of(slots, probabilities))
-    total = table.bits + payload
-    outside = np.array([(2**64 - 1) * (table.outside >> bit & 1) for bit in range(total)], np.uint64)
-    turned = {bit for layer in made.plan.layers for level in layer.deltas for _, bit in level}
-    changing = np.array([bit in turned or bit >= table.bits for bit in range(total)])
-    return Pass(made.code, chances, outside, changing, table.outside, edges_of(table), made.lanes)
+    passes = _passes(table, probabilities, payload, most_lanes)
+    if passes.narrow:
+        passes.narrow.look()
+    return passes.current()
 
 
-@lru_cache(maxsize=KEPT)
-def gates_of(table, kinds):
-    """Return the Plan of a RuleTable; kinds: the items of what `kinds_of` returns."""
-    return plan(table, dict(kinds))
+def narrow(table, probabilities, codes, most_lanes=None):
+    """Make the pass for lattices, or parts of them, in which some codes only are together, if the rule is large."""
+    passes = _passes(table, probabilities, 0, most_lanes)
+    if passes.narrow:
+        passes.narrow.narrow(codes)
+
+
+def gates_of(table, probabilities):
+    """Return how many gates the pass of a RuleTable has."""
+    return _passes(table, probabilities, 0, None).gates
+
+
+@lru_cache(maxsize=64)
+def _passes(table, probabilities, payload, most_lanes):
+    kinds = tuple(kinds_of(table, probabilities).items())
+    return _Passes(table, probabilities, payload, _compiled(table, kinds, payload, min(lanes(), most_lanes or lanes())))
+
+
+class _Passes:
+    """The Pass of a rule for one set of probabilities, and those that follow as narrower passes are made."""
+
+    def __init__(self, table, probabilities, payload, made):
+        self._table, self._probabilities, self._made = table, probabilities, made
+        self.narrow, self.gates = made.narrow, made.whole.gates
+        total = table.bits + payload
+        outside = np.array([(2**64 - 1) * (table.outside >> bit & 1) for bit in range(total)], np.uint64)
+        turned = {bit for layer in made.whole.plan.layers for level in layer.deltas for _, bit in level}
+        changing = np.array([bit in turned or bit >= table.bits for bit in range(total)])
+        self._chances = [self._chances_for(made.whole)]
+        whole, edges = made.whole, edges_of(table)
+        self._latest = Pass(whole.code, self._chances[0], outside, changing, table.outside, edges, whole.lanes)
+        self._known = None
+
+    def current(self):
+        """Return the Pass of today."""
+        if self.narrow and self._known is not self.narrow.known:
+            self._widen(self.narrow.known)
+        return self._latest
+
+    def _widen(self, known):
+        """Let the dispatch choose among the passes of a Known; two threads may be here, and both get it right."""
+        before = self._chances
+        chances = [*before, *map(self._chances_for, known.made[len(before) :])]
+        passes = [(each.code.address, own) for each, own in zip(known.made, chances, strict=True)]
+        told = DispatchTable(known.numbers, self.narrow.tally, passes)
+        code, kept_alive = self._made.dispatch, (told, known.made)
+        self._latest = self._latest._replace(code=code, chances=told.words, kept=kept_alive)
+        self._chances, self._known = chances, known
+
+    def _chances_for(self, made):
+        return chances_of(made.plan, lambda _, slots: threshold_of(slots, self._probabilities))
 
 
 def edges_of(table):
@@ -60,28 +106,52 @@ def edges_of(table):
     return _events_beside(table, (0, 1)), _events_beside(table, (2, 3))
 
 
-class _CompiledRule(NamedTuple):
-    plan: Plan
+class _MadePass(NamedTuple):
+    """What is the same for all probabilities of the same kinds."""
+
+    plan: Plan  # without its circuit
     code: MachineCode
     lanes: int
+    gates: int
+
+
+class _CompiledRule(NamedTuple):
+    whole: _MadePass
+    dispatch: MachineCode | None  # of a large rule
+    narrow: NarrowPasses | None
 
 
 @lru_cache(maxsize=KEPT)
 def _compiled(table, kinds, payload, most_lanes):
-    """Return what is the same for all probabilities of the same kinds; the machine code is kept between runs."""
+    """Return the _CompiledRule of a table."""
+    whole = _made_pass(table, kinds, payload, most_lanes)
+    if payload or whole.gates < LEAST_GATES:
+        return _CompiledRule(whole, None, None)
+
+    def make(codes):
+        part = table.narrowed(codes)
+        held = {slots for layer in part.layers for claim in layer for slots in thresholds_of(claim)}
+        return _made_pass(part, tuple((slots, kind) for slots, kind in kinds if slots in held), 0, whole.lanes)
+
+    code = MachineCode(dispatch.source(table.bits, table.codes, whole.lanes), dispatch.NAME)
+    return _CompiledRule(whole, code, NarrowPasses(table, whole, make))
+
+
+def _made_pass(table, kinds, payload, most_lanes):
+    """Return the _MadePass of a table; its machine code is kept between runs."""
     key = f"{table.digest} {kinds} {payload} {most_lanes} {machine()} {features()}"
-    gates, at_once, text, code = kept(key, partial(_made, table, kinds, payload, most_lanes))
-    return _CompiledRule(gates, MachineCode(text, NAME, code), at_once)
+    plan, at_once, text, code, gates = kept(key, partial(_made, table, kinds, payload, most_lanes))
+    return _MadePass(plan, MachineCode(text, NAME, code), at_once, gates)
 
 
 def _made(table, kinds, payload, most_lanes):
-    """Return (Plan without its circuit, words at a time, LLVM IR, machine code) of a pass that was checked."""
-    gates = gates_of(table, kinds)
+    """Return (Plan without its circuit, words at a time, LLVM IR, machine code, gates) of a pass that was checked."""
+    gates = plan(table, dict(kinds))
     for at_once in dict.fromkeys((most_lanes, 1)):
         text = source(gates, at_once, payload)
         made = MachineCode(text, NAME)
         if self_check.agrees(made.address, table, gates, dict(kinds), payload, at_once):
-            return gates._replace(circuit=None), at_once, text, made.code
+            return gates._replace(circuit=None), at_once, text, made.code, gate_count(gates)
     raise RuntimeError(f"the code made for this rule moves blocks otherwise than its table says: {machine()}")
 
 

@@ -18,6 +18,7 @@ import numpy as np
 
 from game.core.chance import DRAWS
 from game.core.compiler.circuit import FALSE, TRUE
+from game.core.compiler.ir_text import FULL, IrText
 from game.core.rule_table import FAIR_STEP, LAYER_STEP
 
 NAME = "sandglass_pass"
@@ -26,11 +27,7 @@ UNROLL = 2  # draws between two looks at whether any block is undecided
 _GOLDEN = 0x9E3779B97F4A7C15
 _MULTIPLIERS = (30, 0xBF58476D1CE4E5B9), (27, 0x94D049BB133111EB)
 _LAST_SHIFT = 31
-_FULL = 2**64 - 1
-_ARGUMENTS = ("words", "at", "may", "origin", "key", "chances", "size")
-# The stack is aligned for spilled vectors, else they straddle cache lines; Windows' probe of large frames is no
-# symbol that can be resolved here.
-_ATTRIBUTES = 'alignstack(64) nounwind "stackrealign" "frame-pointer"="all" "no-stack-arg-probe"'
+ARGUMENTS = ("words", "at", "may", "origin", "key", "chances", "size")
 
 
 def source(plan, lanes, payload=0):
@@ -46,88 +43,27 @@ def chances_of(plan, bound):
     """
     draws, masks = [], []
     for number, layer in enumerate(plan.layers):
-        bounds = [bound(number, group.slots) for group in layer.groups]
-        rows = [[_FULL if bound >> (DRAWS - 1 - draw) & 1 else 0 for bound in bounds] for draw in range(DRAWS)]
-        draws.append(max((draw + 1 for draw, row in enumerate(rows) if any(row)), default=0))
-        masks += [mask for row in rows for mask in row]
-    return np.array(draws + masks, np.uint64)
+        bounds = np.array([bound(number, group.slots) for group in layer.groups], np.uint64)
+        digits = bounds >> np.arange(DRAWS - 1, -1, -1, dtype=np.uint64)[:, None] & np.uint64(1)
+        draws.append(int(digits.any(axis=1).nonzero()[0].max(initial=-1)) + 1)
+        masks.append(np.where(digits == 1, np.uint64(FULL), np.uint64(0)).ravel())
+    return np.concatenate([np.array(draws, np.uint64), *masks])
 
 
-class _Pass:
-    """Writes the function, a line after the other."""
+class _Pass(IrText):
+    """Writes the function."""
 
     def __init__(self, plan, lanes, payload):
-        self.plan, self.lanes, self.payload = plan, lanes, payload
-        self.kind = f"<{lanes} x i64>"
-        self.lines, self.count, self.block = [], 0, "entry"
+        super().__init__(lanes)
+        self.plan, self.payload = plan, payload
         self.values = {}  # node -> (name, whether it holds the inverse)
         self.streams = []
 
     def text(self):
-        head = ", ".join(f"i64 %{name}_" for name in _ARGUMENTS)
-        self.lines.append(f"define i64 @{NAME}({head}) {_ATTRIBUTES} {{")
+        self.head(NAME, ARGUMENTS)
         self._entry()
         self._loop()
-        self.lines.append("}")
-        self.lines.append(f"declare i1 @llvm.vector.reduce.or.v{self.lanes}i1(<{self.lanes} x i1>)")
-        return "\n".join(self.lines)
-
-    # --- lines ---
-
-    def line(self, text):
-        self.lines.append("  " + text)
-
-    def new(self, text):
-        self.count += 1
-        self.line(f"%v{self.count} = {text}")
-        return f"%v{self.count}"
-
-    def op(self, op, x, y):
-        return self.new(f"{op} {self.kind} {x}, {y}")
-
-    def start(self, label):
-        self.lines.append(f"{label}:")
-        self.block = label
-
-    def constant(self, value):
-        value = value % 2**64
-        value -= 2**64 if value >= 2**63 else 0
-        return "<" + ", ".join([f"i64 {value}"] * self.lanes) + ">"
-
-    def inverse(self, x):
-        return self.op("xor", x, self.constant(_FULL))
-
-    def all_lanes(self, scalar):
-        first = self.new(f"insertelement {self.kind} poison, i64 {scalar}, i32 0")
-        return self.new(f"shufflevector {self.kind} {first}, {self.kind} poison, <{self.lanes} x i32> zeroinitializer")
-
-    def load(self, base, index):
-        place = self.new(f"getelementptr i64, ptr {base}, i64 {index}")
-        return self.new(f"load {self.kind}, ptr {place}, align 8")
-
-    def load_word(self, base, index):
-        place = self.new(f"getelementptr i64, ptr {base}, i64 {index}")
-        return self.new(f"load i64, ptr {place}")
-
-    def store(self, value, base, index):
-        place = self.new(f"getelementptr i64, ptr {base}, i64 {index}")
-        self.line(f"store {self.kind} {value}, ptr {place}, align 8")
-
-    def any_bit(self, x):
-        flags = self.new(f"icmp ne {self.kind} {x}, zeroinitializer")
-        return self.new(f"call i1 @llvm.vector.reduce.or.v{self.lanes}i1(<{self.lanes} x i1> {flags})")
-
-    def any_of(self, values):
-        """Return the or of some values, at least one."""
-        result = values[0]
-        for each in values[1:]:
-            result = self.op("or", result, each)
-        return result
-
-    def meeting(self, name, ways):
-        """Write a phi of (value, label) pairs at the start of a block."""
-        self.line(f"{name} = phi {self.kind} " + ", ".join(f"[{value}, %{label}]" for value, label in ways))
-        return name
+        return self.whole()
 
     # --- gates ---
 
@@ -153,17 +89,14 @@ class _Pass:
 
     def literal(self, literal):
         if literal in (FALSE, TRUE):
-            return self.constant(_FULL if literal else 0)
+            return self.constant(FULL if literal else 0)
         name, inverted = self._held(literal)
         return self.inverse(name) if inverted else name
 
     # --- the function ---
 
     def _entry(self):
-        self.start("entry")
-        for name in _ARGUMENTS:
-            if name not in ("key", "size"):
-                self.line(f"%{name} = inttoptr i64 %{name}_ to ptr")
+        self.pointers("words", "at", "may", "origin", "chances")
         total = self.plan.bits + self.payload
         for number in range(4 * total):
             self.streams.append(self.new(f"getelementptr i64, ptr %words, i64 {self.load_word('%at', number)}"))

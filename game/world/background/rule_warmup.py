@@ -1,14 +1,11 @@
 """Makes rules ready beside the frames: what must be compiled before one can be played without a pause."""
 
-import sys
-
+from game.core.compiler.narrowing import giving_way
 from game.core.compiler.plan import kinds_of
 from game.world.background.kernel_warmup import steps
 from game.world.sessions.action import Load, SetRule
 
 MOST = 16  # rules that are known to be ready; the passes in memory are some more
-USUAL_S = sys.getswitchinterval()  # for which a thread keeps the interpreter while another waits for it
-SHORT_S = 0.0005  # … while rules are made ready: a frame gives it away and wants it back some ten times
 
 
 class ReadyRules:
@@ -39,12 +36,9 @@ def _kinds(rule):
 
 def make_ready(rule, walls, cell, coloured, fixtures):
     """Compile all that showing a scene with a rule needs, as `kernel_warmup.steps` does; frames go on beside it."""
-    sys.setswitchinterval(SHORT_S)
-    try:
+    with giving_way():
         for _, act in steps(rule, walls, cell, coloured and rule.codes.is_sand, fixtures):
             act()
-    finally:
-        sys.setswitchinterval(USUAL_S)
 
 
 def make_recording_ready(recording):

@@ -1,5 +1,6 @@
 """A rule in words: its materials, its laws, and the picture of each event with its probability."""
 
+from game.core.compiler.rule_pass import gates_of
 from game.world.rules.events import OwnNumber
 from game.world.rules.laws import Changes, laws, overlaps, reacting_pairs
 
@@ -15,6 +16,7 @@ def description(rule):
     lines = [f"{told.title}: {len(told.materials)} materials, {len(events)} events, schedule {rule.schedule}"]
     lines += [told.notice] if told.notice else []
     lines += [
+        _size(rule.table, rule.values),
         "",
         *_materials(told),
         "",
@@ -26,6 +28,12 @@ def description(rule):
     for event in events:
         lines += ["", *_event(event, rule)]
     return [line.rstrip() for line in lines]
+
+
+def _size(table, values):
+    states, claimed = len(table.used_states), len(table.claimed_states)
+    gates = gates_of(table, values)
+    return f"Something can happen in {claimed:,} of {states:,} block states; the circuit for it has {gates:,} gates."
 
 
 def _materials(told):

@@ -33,7 +33,7 @@ def test_a_rule_that_was_compiled_before_is_only_loaded_and_moves_all_alike(tmp_
     rule, worlds = load_rule("water-and-oil"), []
     for made in (rule_pass._made, lambda *_: 1 / 0):
         monkeypatch.setattr(rule_pass, "_made", made)
-        rule_pass.pass_of.cache_clear()
+        rule_pass._passes.cache_clear()
         rule_pass._compiled.cache_clear()
         cells = np.random.default_rng(1).integers(0, len(rule.materials), (90, 140)).astype(np.uint8)
         worlds.append(World.from_materials(cells, rule, 7))

@@ -17,7 +17,7 @@ def test_no_moment_of_a_recording_that_was_made_ready_compiles_a_rule(monkeypatc
         session.timeline.run(5)
         session.do(what)
     recording = Recording(session.timeline.start[0], 1, session.timeline.history.story(), session.now)
-    rule_pass.pass_of.cache_clear()
+    rule_pass._passes.cache_clear()
     rule_pass._compiled.cache_clear()
     make_recording_ready(recording)
     monkeypatch.setattr(rule_pass, "MachineCode", None)  # would not be called in vain

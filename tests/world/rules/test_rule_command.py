@@ -1,11 +1,13 @@
 """`rule` tells what a rule says and keeps, in words or in a picture."""
 
 import re
+from itertools import product
 
 import pytest
 from PIL import Image
 
 from game import cli, load_rule, rule_names
+from game.core.compiler.plan import gate_count, kinds_of, plan
 from tests.world.rules.small_rule import TEXT, written
 
 
@@ -62,3 +64,14 @@ def test_what_an_included_file_says_of_classes_that_are_not_there_is_left_out(ca
     assert cli.main(["rule", "water-and-oil"]) == 0
     told = capsys.readouterr().out
     assert "  pour: " in told and "  rise: " not in told and "never" not in told
+
+
+@pytest.mark.parametrize("name", ["sand", "water-and-oil"])
+def test_how_many_block_states_have_an_event_and_how_many_gates_say_so_is_told(name, capsys):
+    rule = load_rule(name)
+    states = list(product(range(len(rule.materials)), repeat=4))
+    busy = sum(bool(rule.outcomes(block)) for block in states)
+    assert cli.main(["rule", name]) == 0
+    told = capsys.readouterr().out
+    gates = gate_count(plan(rule.table, kinds_of(rule.table, rule.values)))
+    assert f"Something can happen in {busy:,} of {len(states):,} block states; the circuit for it has {gates}" in told

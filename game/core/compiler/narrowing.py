@@ -1,0 +1,106 @@
+"""Narrower passes: made for the materials that are together where most of the work is, beside what goes on.
+
+A pass of a large rule is mostly gates for materials that are not there. So `dispatch` counts which sets of materials
+runs of words hold, and where their gates have cost about as much time as making a pass for such a set takes, one is
+made, in a thread. The cells are the same with any passes.
+"""
+
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import contextmanager, suppress
+from threading import Lock
+from typing import NamedTuple
+
+import numpy as np
+
+from game.core.compiler.dispatch import MOST, NOTHING, RUN, cheapest, eventful
+
+LEAST_GATES = 250  # of a rule for which looking at the materials pays
+GATE_S = 0.4e-9  # what a gate costs on one vector of words, about
+MADE_S, MADE_GATE_S = 0.01, 0.2e-3  # what it may have cost before a pass is made, and for each of its gates
+ASKED = 4  # a look at what was counted for so many times that the passes are asked for
+WEIGHED = 128  # sets that are weighed against each other, those with most work
+
+USUAL_S = sys.getswitchinterval()  # for which a thread keeps the interpreter while another waits for it
+SHORT_S = 0.0005  # … while passes are made: a frame gives it away and wants it back some ten times
+
+_maker = ThreadPoolExecutor(1, "narrower passes")
+_giving_way = []
+_lock = Lock()
+
+
+@contextmanager
+def giving_way():
+    """Let other threads have the interpreter soon whenever they want it."""
+    with _lock:
+        _giving_way.append(None)
+        sys.setswitchinterval(SHORT_S)
+    try:
+        yield
+    finally:
+        with _lock:
+            _giving_way.pop()
+            if not _giving_way:
+                sys.setswitchinterval(USUAL_S)
+
+
+class Known(NamedTuple):
+    """The passes of a rule so far."""
+
+    made: tuple  # of made passes; the first knows all codes
+    sets: tuple  # the codes that each one knows, as bits of a number
+    numbers: np.ndarray  # (2**codes,) uint8: which one to call for a set of codes, see `dispatch.cheapest`
+
+
+class NarrowPasses:
+    """The passes of one rule, and what the dispatch counts of its runs."""
+
+    def __init__(self, table, whole, make):
+        """whole, make(codes): a made pass, with its `gates`, `lanes` and machine `code`, for all codes or for some."""
+        self._codes, self._make, self._eventful = table.codes, make, eventful(table)
+        self.tally = np.zeros(2**table.codes, np.uint32)
+        self.known = None  # replaced when there is one more
+        self._know((whole,), (2**table.codes - 1,))
+        self._asked, self._making = 0, None
+
+    def look(self):
+        """Have a narrower pass made if one has paid by now; of many calls, few do more than count."""
+        self._asked += 1
+        if self._asked % ASKED or (self._making and not self._making.done()):
+            return
+        codes = self._best()
+        if codes:
+            self._making = _maker.submit(self._narrow_beside, codes)
+
+    def narrow(self, codes):
+        """Make the pass for some codes, unless there is one."""
+        made, sets, _ = self.known
+        number = sum(1 << code for code in codes)
+        if number not in sets and len(made) < MOST:
+            self._know((*made, self._make(codes)), (*sets, number))
+
+    def _know(self, made, sets):
+        self.known = Known(made, sets, cheapest(sets, [each.gates for each in made], self._eventful))
+
+    def _narrow_beside(self, codes):
+        with giving_way(), suppress(RuntimeError):  # code that disagrees with its table: the whole pass goes on
+            self.narrow(codes)
+
+    def _best(self):
+        """Return the codes for which a pass would have saved the most time, none if it is less than making it takes."""
+        made, _, numbers = self.known
+        sets = np.flatnonzero((self.tally > 0) & (numbers != NOTHING))
+        costs = np.array([each.gates for each in made])[numbers[sets]]
+        most = np.argsort(self.tally[sets] * (costs - self._guessed(sets)).clip(0))[-WEIGHED:]
+        sets, costs = sets[most], costs[most]
+        guessed = self._guessed(sets)
+        within = sets & ~sets[:, None] == 0  # by candidate: which of the sets it would do for
+        saved = (within * self.tally[sets] * (costs - guessed[:, None]).clip(0)).sum(axis=1)
+        paid = saved * GATE_S * RUN / made[0].lanes - MADE_S - MADE_GATE_S * guessed
+        if len(made) == MOST or paid.max(initial=0) <= 0:
+            return ()
+        return tuple(code for code in range(self._codes) if sets[paid.argmax()] >> code & 1)
+
+    def _guessed(self, sets):
+        """Return about how many gates passes for sets of codes have: those for pairs of materials are the most."""
+        return self.known.made[0].gates * (np.bitwise_count(sets) / self._codes) ** 2
