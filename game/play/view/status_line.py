@@ -107,10 +107,10 @@ def _told(now, account, codes, material):
     """Return how much there is, and what is wrong where the account, by kind like it, tells of something else."""
     if codes.is_sand:
         said = counted(sum(now), "grain")
-    elif material in codes.told_of(codes.filled):
-        said = f"{counted(sum(now[code] for code in codes.codes_of(material)), 'cell')} of {material}"
+    elif material in codes.told and (own := sum(now[code] for code in codes.codes_of(material))):
+        said = f"{counted(own, 'cell')} of {material}"
     else:
-        said = counted(sum(now), "cell")
+        said = f"{counted(sum(now), 'cell')} of all materials"
     if account.agrees(now):
         return said
     wrong = (

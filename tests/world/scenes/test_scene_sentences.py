@@ -3,6 +3,7 @@
 import tomllib
 
 import numpy as np
+import pytest
 
 from game.world.files.paths import asset
 from game.world.sand.advance import advance
@@ -12,6 +13,15 @@ from game.world.scenes.scene import load_scene
 def test_no_sand_of_the_silo_is_outside_of_its_hopper():
     silo = load_scene("silo")
     assert not (silo.sand & np.maximum.accumulate(silo.walls, axis=0)).any()
+
+
+@pytest.mark.parametrize("name", ["aquarium", "kitchen", "volcano", "forest-fire", "winter-pond", "acid-cave"])
+def test_water_fills_its_basin_up_to_the_shores(name):
+    world = load_scene(name).world(0)
+    water, air = (np.pad(world.where(material), 1) for material in ("water", "air"))
+    assert water.any()
+    for rows, columns in ((0, 1), (0, -1), (1, 0)):
+        assert not (np.roll(water, (rows, columns), (0, 1)) & air).any()
 
 
 def test_sand_covers_every_roof_of_the_city_and_lies_in_every_room_and_only_the_spire_looks_out():
