@@ -22,7 +22,7 @@ ASKED = 4  # a look at what was counted for so many times that the passes are as
 WEIGHED = 128  # sets that are weighed against each other, those with most work
 
 USUAL_S = sys.getswitchinterval()  # for which a thread keeps the interpreter while another waits for it
-SHORT_S = 0.0005  # … while passes are made: a frame gives it away and wants it back some ten times
+SHORT_S = 0.0001  # … while passes are made: a frame gives it away and wants it back some ten times
 
 _maker = ThreadPoolExecutor(1, "narrower passes")
 _giving_way = []
@@ -71,6 +71,11 @@ class NarrowPasses:
         codes = self._best()
         if codes:
             self._making = _maker.submit(self._narrow_beside, codes)
+
+    def wait(self):
+        """Wait for the pass that is being made, if one is."""
+        if self._making:
+            self._making.result()
 
     def narrow(self, codes):
         """Make the pass for some codes, unless there is one."""

@@ -55,6 +55,15 @@ def narrow(table, probabilities, codes, most_lanes=None):
         passes.narrow.narrow(codes)
 
 
+def made_for(table, probabilities):
+    """Wait for the narrower pass that is being made, and return how many there are of a RuleTable by now."""
+    narrow = _passes(table, probabilities, 0, None).narrow
+    if narrow is None:
+        return 0
+    narrow.wait()
+    return len(narrow.known.made) - 1
+
+
 def gates_of(table, probabilities):
     """Return how many gates the pass of a RuleTable has."""
     return _passes(table, probabilities, 0, None).gates

@@ -18,6 +18,7 @@ from game.world.rules.rule import Rule, load_rule
 
 OURS, CPP, LOOP = "ours", "cpp_table", table_loop.TABLE_LOOP.key
 SAND, WATER, EIGHT, ALCHEMY = "sand, p = 1", "sand and water", "eight materials", "alchemy"
+KITCHEN = "alchemy, in the kitchen"
 LITTLE = "the paper: more materials add “very little computational overhead”; from {} to {}"
 COLUMNS = (
     Column("rule", "rule"),
@@ -50,12 +51,15 @@ def rules():
 
 def rule_peer_table(plan):
     """Return the times of rules of more and more materials beside loops that look block states up."""
-    rows = [row for name, rule in rules().items() for row in _beside_peers(name, rule, plan)]
+    size = plan.rule_size
+    rows = [row for name, rule in rules().items() for row in _beside_peers(name, rule, worlds.strewn(size, rule), plan)]
+    if ALCHEMY in rules():
+        rows += _beside_peers(KITCHEN, rules()[ALCHEMY], worlds.cooking(size, rules()[ALCHEMY]), plan)
     notes = [
-        f"{table.size(plan.rule_size)}, half of the cells empty and the others of all materials but wall, "
-        f"{plan.peer_batch} iterations in one call from the same world, one thread each. Materials: air and wall are "
-        "among them. The loops' table has the outcomes of each block state, all layers of the rule folded into one "
-        "draw.",
+        f"{table.size(size)}, half of the cells empty and the others of all materials but wall, or the scene kitchen "
+        f"after {worlds.COOKED} iterations; {plan.peer_batch} iterations in one call from the same world, one thread "
+        "each. Materials: air and wall are among them. The loops' table has the outcomes of each block state, all "
+        "layers of the rule folded into one draw.",
         f"The header is what `export` writes, {' '.join(exported_header.FLAGS[1:])}.",
         "Ready: ours, from what the rule says to machine code that was checked on all block states; the loops, "
         "compiled and their table filled; the header, compiled; timed once.",
@@ -65,9 +69,9 @@ def rule_peer_table(plan):
     return Section("rule peers", "2b · Peers, by the number of materials", [Table("", PEER_COLUMNS, rows), *notes])
 
 
-def _beside_peers(name, rule, plan):
-    """Return the rows of a rule: ours, and each loop that there is a compiler for."""
-    world, peers, rows = worlds.strewn(plan.rule_size, rule), [table_loop.TABLE_LOOP], []
+def _beside_peers(name, rule, world, plan):
+    """Return the rows of a rule on a world: ours, and each loop that there is a compiler for."""
+    peers, rows = [table_loop.TABLE_LOOP], []
     try:
         peers.append(cpp_blocks.compiled_table())
     except cpp_blocks.NoCompilerError as error:

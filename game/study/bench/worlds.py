@@ -4,6 +4,8 @@ from functools import lru_cache
 
 import numpy as np
 
+from game.core.compiler.narrowing import ASKED
+from game.core.compiler.rule_pass import made_for
 from game.world.sand.advance import advance
 from game.world.sand.world import World
 from game.world.scenes.scene import load_scene
@@ -12,6 +14,7 @@ SEED = 2020
 GLASS_RULE = load_scene("hourglass").rule  # the rule its scene file names
 PASSED = 0.3  # part of the sand that has run through the neck in mid-flow: a pile below, a crater above
 TALLEST = 1080  # cells: taller glasses are enlarged from one up to this tall, as their own flow would take minutes …
+COOKED = 2048  # iterations of a kitchen in which all that can meet soon has met
 REST = 16  # … and then run height / REST iterations, which wears the enlarged corners of their slopes away
 
 
@@ -60,6 +63,17 @@ def flowing(size):
     world = World.from_cells(sand, walls, SEED)
     advance(world, GLASS_RULE, height // REST)
     return world
+
+
+@lru_cache(maxsize=1)
+def cooking(size, rule):
+    """Return the kitchen scene at `size` on its way by alchemy, the passes made that its materials deserve by then."""
+    world = load_scene("kitchen", size).world(SEED)
+    for _ in range(COOKED // (4 * ASKED)):
+        for _ in range(ASKED):
+            advance(world, rule, 4)
+        made_for(rule.table, rule.values)
+    return World.from_materials(world.materials, rule, SEED)
 
 
 @lru_cache(maxsize=2)

@@ -106,11 +106,6 @@ def test_for_each_set_the_cheapest_pass_is_called_that_knows_all_of_it():
         assert numbers[number] == (min(ways)[1] if eventful[number] else dispatch.NOTHING)
 
 
-def finished(passes):
-    """Wait for the pass that is being made."""
-    passes._making.result()
-
-
 def asked(rule, times=narrowing.ASKED):
     for _ in range(times):
         pass_of(rule.table, rule.values)
@@ -130,7 +125,7 @@ def test_a_narrower_pass_is_made_once_the_whole_one_has_cost_as_much_as_making_i
     asked(rule, narrowing.ASKED - 1)
     assert passes._making is None, "most calls only count"
     asked(rule, 1)
-    finished(passes)
+    passes.wait()
     made, sets, numbers = passes.known
     assert sets == (2**rule.table.codes - 1, number) and numbers[number] == 1 and made[1].gates < made[0].gates
     asked(rule)
@@ -143,7 +138,7 @@ def test_one_pass_is_made_for_sets_that_are_parts_of_it(every_rule_is_large):
         passes.tally[sum(1 << code for code in codes)] = 10**6
     passes.tally[0b01011] = 10**6
     asked(load_rule("water-and-oil"))
-    finished(passes)
+    passes.wait()
     assert passes.known.sets[1] == 0b01011
 
 
@@ -153,7 +148,7 @@ def test_a_narrower_pass_that_disagrees_with_its_table_is_not_used(monkeypatch, 
     monkeypatch.setattr(rule_pass, "_made_pass", lambda *_: (_ for _ in ()).throw(RuntimeError("otherwise")))
     passes.tally[0b11] = 10**7
     asked(rule)
-    finished(passes)
+    passes.wait()
     assert len(passes.known.made) == 1 and (passes.known.numbers[0b11] != 1)
 
 
