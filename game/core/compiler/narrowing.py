@@ -6,9 +6,8 @@ made, in a thread. The cells are the same with any passes.
 """
 
 import sys
-from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager, suppress
-from threading import Lock
+from threading import Lock, Thread
 from typing import NamedTuple
 
 import numpy as np
@@ -24,7 +23,6 @@ WEIGHED = 128  # sets that are weighed against each other, those with most work
 USUAL_S = sys.getswitchinterval()  # for which a thread keeps the interpreter while another waits for it
 SHORT_S = 0.0001  # … while passes are made: a frame gives it away and wants it back some ten times
 
-_maker = ThreadPoolExecutor(1, "narrower passes")
 _giving_way = []
 _lock = Lock()
 
@@ -62,20 +60,24 @@ class NarrowPasses:
         self.known = None  # replaced when there is one more
         self._know((whole,), (2**table.codes - 1,))
         self._asked, self._making = 0, None
+        self._tried = []  # sets of codes, as bits of numbers, for which a pass was made or could not be
 
     def look(self):
         """Have a narrower pass made if one has paid by now; of many calls, few do more than count."""
         self._asked += 1
-        if self._asked % ASKED or (self._making and not self._making.done()):
+        if self._asked % ASKED or (self._making and self._making.is_alive()):
             return
-        codes = self._best()
-        if codes:
-            self._making = _maker.submit(self._narrow_beside, codes)
+        best = self._best()
+        if best:
+            self._tried.append(best)
+            codes = tuple(code for code in range(self._codes) if best >> code & 1)
+            self._making = Thread(target=self._narrow_beside, args=[codes], name="narrower pass")
+            self._making.start()
 
     def wait(self):
         """Wait for the pass that is being made, if one is."""
         if self._making:
-            self._making.result()
+            self._making.join()
 
     def narrow(self, codes):
         """Make the pass for some codes, unless there is one."""
@@ -92,7 +94,7 @@ class NarrowPasses:
             self.narrow(codes)
 
     def _best(self):
-        """Return the codes for which a pass would have saved the most time, none if it is less than making it takes."""
+        """Return the set for which a pass would have saved the most time, 0 if that is less than making it takes."""
         made, _, numbers = self.known
         sets = np.flatnonzero((self.tally > 0) & (numbers != NOTHING))
         costs = np.array([each.gates for each in made])[numbers[sets]]
@@ -102,9 +104,8 @@ class NarrowPasses:
         within = sets & ~sets[:, None] == 0  # by candidate: which of the sets it would do for
         saved = (within * self.tally[sets] * (costs - guessed[:, None]).clip(0)).sum(axis=1)
         paid = saved * GATE_S * RUN / made[0].lanes - MADE_S - MADE_GATE_S * guessed
-        if len(made) == MOST or paid.max(initial=0) <= 0:
-            return ()
-        return tuple(code for code in range(self._codes) if sets[paid.argmax()] >> code & 1)
+        paid[np.isin(sets, self._tried)] = 0
+        return int(sets[paid.argmax()]) if len(made) < MOST and paid.max(initial=0) > 0 else 0
 
     def _guessed(self, sets):
         """Return about how many gates passes for sets of codes have: those for pairs of materials are the most."""

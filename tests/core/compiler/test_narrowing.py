@@ -152,6 +152,18 @@ def test_a_narrower_pass_that_disagrees_with_its_table_is_not_used(monkeypatch, 
     assert len(passes.known.made) == 1 and (passes.known.numbers[0b11] != 1)
 
 
+def test_what_was_made_or_could_not_be_is_not_tried_again(monkeypatch, every_rule_is_large):
+    rule, tried = load_rule("water-and-oil"), []
+    passes = asked(rule)
+    monkeypatch.setattr(passes, "_make", lambda codes: tried.append(codes) or passes.known.made[0])
+    monkeypatch.setattr(narrowing, "MADE_S", 0.0)
+    passes.tally[0b11] = passes.tally[0b1011] = 10**9
+    for _ in range(6):
+        asked(rule)
+        passes.wait()
+    assert sorted(tried) == [(0, 1), (0, 1, 3)]
+
+
 def test_no_more_passes_are_made_than_there_are_numbers_for(monkeypatch, every_rule_is_large):
     monkeypatch.setattr(narrowing, "MOST", 2)
     passes = asked(load_rule("water-and-oil"))
