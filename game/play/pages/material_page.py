@@ -6,15 +6,15 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 from game.play.ui.card import draw_box
 from game.play.ui.widgets import PAD, Ui
-from game.play.view.chance_sliders import ChanceSliders
+from game.play.view.chance_sliders import ChanceSliders, spelled
 from game.play.view.swatches import striped, swatches_of
 from game.world.rules.dials import dials_of
 from game.world.rules.reactions import behaviour, reactions
 
 WIDTH = 560  # pixels at scale 1
 AROUND = 12
-CELL_BOX = 26  # of a block in a picture
-PICTURE = 84  # from the left edge to the words
+CELL_BOX = 25  # of a block in a picture
+PICTURE = 78  # from the left edge to the words
 CHANCE = 74  # at the right edge
 SHADE = 150  # of what lies behind the page: 0 is black, 255 as it is
 ALONE = "Nothing changes it, and it changes nothing: it only moves."
@@ -174,13 +174,13 @@ def _show(ui, reaction, swatches):
     below = pygame.Rect(left, rect.y + len(lines) * line, rect.right - left, small)
     ui.stroke(draw_list.words, below, reaction.event, look.SMALL, look.FAINT, 0)
     chance = pygame.Rect(rect.right - px(CHANCE), rect.y, px(CHANCE), line)
-    spelt = spelled(reaction.chance)
+    spelt = _spelled(reaction.chance)
     size = look.BODY if width(spelt, look.BODY) <= chance.width else look.SMALL
     ui.stroke(draw_list.words, chance, spelt, size, look.DIM, 1)
 
 
-def spelled(chance):
+def _spelled(chance):
     """Return a chance, or the least and the most that it can be, in words."""
     if isinstance(chance, tuple):
-        return "–".join(f"{each:.3g}" for each in chance)
-    return "always" if chance == 1.0 else f"{chance:.3g}"
+        return "–".join(map(spelled, chance))
+    return "always" if chance == 1.0 else spelled(chance)

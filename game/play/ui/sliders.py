@@ -9,7 +9,7 @@ from game.play.ui.slider_scale import SliderScale
 
 HANDLE = 7  # radius at scale 1
 TALL_ROW = 40  # a slider in two lines: words above, track below
-VALUE_WIDTH = 46  # of a probability, beside its picture
+VALUE_WIDTH = 50  # of a probability, beside its picture; one of many figures is small
 WITH_UNIT = 68  # of any value
 ENDS_ROW = 32  # of a slider in one line whose ends have names
 UP, DOWN = 10, 6  # from the track of such a row up to its top, and down to the words at its ends
@@ -49,7 +49,9 @@ def slider(
         value = _moved(scale, value, event, track, knob.default if default is None else default)
     for place, line, size in lines:
         ui.stroke(draw_list.words, place, line, size, look.TEXT, 0)
-    ui.stroke(draw_list.words, number, spell(value), look.BODY, look.TEXT if me.hover else look.DIM, 1)
+    written = spell(value)
+    size = look.BODY if ui.theme.width(written, look.BODY) <= number.width else look.SMALL
+    ui.stroke(draw_list.words, number, written, size, look.TEXT if me.hover else look.DIM, 1)
     if picture:
         _draw_picture(ui, row, picture)
     _draw_track(ui, track, scale, value, marks, me)

@@ -9,6 +9,11 @@ RARE = 0.05  # below it a chance has a slider of its own length, or no hand coul
 SPAN = 20  # the length of that, in usual values
 
 
+def spelled(chance):
+    """Return a chance in short and plain figures."""
+    return f"{chance:.3g}" if chance >= 0.001 or not chance else f"{chance:.8f}".rstrip("0")
+
+
 class ChanceSliders:
     """The sliders of one panel or page; a drag of one is one act."""
 
@@ -43,7 +48,7 @@ class ChanceSliders:
             knob = replace(knob, high=SPAN * default, ends=RARE_ENDS)
         knob = replace(knob, ends=knob.ends or ENDS)
         turned = ui.slider_with_picture(
-            words, knob, value, before, after, default=default, tip=tip, name=name, spell="{:.3g}".format
+            words, knob, value, before, after, default=default, tip=tip, name=name, spell=spelled
         )
         if turned != value:
             self._changes.turn(knob.name, turned, join=self.turning)

@@ -69,6 +69,26 @@ def test_what_the_page_tells_is_turned_there_as_one_act(player):
     assert player.session.rule.chances["kindle"] == 0.5
 
 
+@pytest.mark.parametrize("scale", [1, 2])
+def test_a_chance_is_read_whole_however_small_it_is(player, scale):
+    player.parts.settings.override("ui_scale", scale)
+    rule = player.session.rule.with_chances(freeze=0.00585, thaw=0.00001, grow=0.125)
+    player.session.timeline.moment.rule = rule
+    for name, figures in (("ice", ("0.00585", "0.00001")), ("plant", ("0.125",))):
+        player.parts.brush.material = name
+        player.parts.material_page.toggle()
+        theme, found = player.parts.display.theme, {text: each for *each, text in map(_last, player.written())}
+        for each in figures:
+            rect, size = found[each]
+            assert theme.width(each, size) <= rect.width
+        player.parts.material_page.toggle()
+
+
+def _last(written):
+    rect, text, size = written
+    return rect, size, text
+
+
 def test_every_chance_of_what_changes_a_material_is_turned_on_the_page_of_one(player):
     count, chances = 0, player.session.rule.chances
     for name in player.parts.brush.materials[:-1]:

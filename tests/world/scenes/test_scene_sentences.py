@@ -41,3 +41,13 @@ def test_sand_covers_every_roof_of_the_city_and_lies_in_every_room_and_only_the_
             held = world.sand[rows, each["x"] : each["x"] + each["width"]]
             assert held.mean() > 0.12 and held[-1, 0] and held[-1, -1]
     assert city.walls[: top - 20, 162:184].any() and not city.walls[72 : top - 20, :162].any()
+
+
+def test_the_steam_engine_keeps_going():
+    engine = load_scene("steam-engine")
+    world, seen = engine.world(0), []
+    advance(world, engine.rule, 20_000)
+    for _ in range(10):
+        advance(world, engine.rule, 200)
+        seen.append(world.where("steam").sum())
+    assert np.mean(seen) > 12 and world.where("lava").sum() > 100
