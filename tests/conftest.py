@@ -7,8 +7,6 @@ import uuid
 from pathlib import Path
 
 import pytest
-from numba.core.compiler_lock import global_compiler_lock
-from numba.core.dispatcher import Dispatcher
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
@@ -17,26 +15,6 @@ if sys.dont_write_bytecode:  # then every process would compile every module ane
     sys.dont_write_bytecode, sys.pycache_prefix = False, str(Path(tempfile.gettempdir(), "sandglass-bytecode"))
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
-
-try:
-    import fcntl
-except ImportError:  # Windows: kernels may be compiled twice there
-    fcntl = None
-
-
-def compile_once(dispatcher, signature, compile_it=Dispatcher.compile):
-    """Compile a kernel while tests in other processes that need it wait, and then find it among those kept."""
-    function = dispatcher.py_func
-    is_kernel = function.__module__.startswith("game.") and not dispatcher.targetoptions.get("forceinline")
-    if fcntl is None or not is_kernel:
-        return compile_it(dispatcher, signature)
-    path = Path(tempfile.gettempdir(), f"{function.__module__}.{function.__name__}.lock")
-    with global_compiler_lock, open(path, "w") as lock:  # in this order, or two threads would wait for each other
-        fcntl.flock(lock, fcntl.LOCK_EX)
-        return compile_it(dispatcher, signature)
-
-
-Dispatcher.compile = compile_once
 
 
 @pytest.fixture(autouse=True)

@@ -76,7 +76,7 @@ def changed_blocks(before, after, where, height, offset, watched, band_rows, fou
                     other, others = _block(new, bits, lane)
                     if cells != others:
                         if number < len(found):
-                            found[number] = one, other
+                            found[number, 0], found[number, 1] = one, other
                         number += 1
                 left >>= _ONE
                 lane += _ONE

@@ -105,8 +105,7 @@ def transpose_bits(bits, turned):
             block = np.uint64(0)
             for k in range(8):
                 block |= np.uint64(bits[8 * row + k, column]) << np.uint64(8 * k)
-            for step in range(3):
-                shift, mask = _SWAPS[step]
+            for shift, mask in _SWAPS:
                 swapped = (block ^ (block >> shift)) & mask
                 block ^= swapped ^ (swapped << shift)
             for k in range(8):

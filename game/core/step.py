@@ -8,7 +8,8 @@ starts with one whose left corners are outside, where they start in an odd row s
 import numpy as np
 
 from game.core.chance import iteration_key, seed_stream
-from game.core.jit import call_pass, gate, kernel
+from game.core.jit import gate, kernel
+from game.core.loops.calls import call_pass
 from game.core.planes import LINE
 
 BAND = 512  # words of blocks in a band, about: with less, calls cost more than work; with more, less can be skipped

@@ -15,7 +15,8 @@ from game.core.compiler.word_pass import transposed, word_pass
 from game.core.draw.looks import falling, look_bits
 from game.core.draw.motion_blur import blend_row
 from game.core.draw.rows import RowStreams, addresses, find_row, find_sides, room_for
-from game.core.jit import call_words, copy, gate, kernel
+from game.core.jit import gate, kernel
+from game.core.loops.calls import call_words, copy
 from game.core.planes import BITS, aligned
 
 TEXTURE = 64  # side of the texture of shades, in cells; a power of two
@@ -218,4 +219,4 @@ def draw_turned(picture, ground, cosine, sine, zoom, pixels, top, left, height, 
         for j in range(width):
             x = (x_start + j * step_x) >> _POINT_BITS
             y = (y_start + j * step_y) >> _POINT_BITS
-            line[j] = picture[y, x] if 0 <= x < wide and 0 <= y < tall else ground
+            line[j] = picture[y, x] if 0 <= x < wide and 0 <= y < tall else np.uint32(ground)

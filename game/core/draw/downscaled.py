@@ -14,7 +14,8 @@ import numpy as np
 from game.core.compiler.word_pass import transposed, word_pass
 from game.core.draw.looks import counted
 from game.core.draw.rows import RowStreams, addresses, find_row
-from game.core.jit import call_words, gate, kernel
+from game.core.jit import gate, kernel
+from game.core.loops.calls import call_words
 from game.core.planes import BITS, LINE, aligned
 
 LIGHTS = 4096  # levels of linear light that are told apart
@@ -202,7 +203,7 @@ def _add_to_sums(scratch, word, sums, at):
 def _find_edges(edges, words, group):
     """Return the first edge of each lane, and the place of each edge's sum in the sums as a flat uint16 array."""
     lanes = np.minimum(edges // (2 * words), BITS - 1)
-    places = _place_of_sum.py_func(lanes, (edges - lanes * 2 * words + group - 1) // group)
+    places = _place_of_sum(lanes, (edges - lanes * 2 * words + group - 1) // group)
     return np.searchsorted(lanes, np.arange(BITS + 1)).astype(np.uint64), places.astype(np.uint32)
 
 
@@ -220,8 +221,8 @@ def _count_spans(sums, size, starts, places, before, counts):
         for i in range(starts[lane], starts[lane + 1]):
             before[i] = base + np.int32(sums[places[i]])
         base += np.int32(sums[_place_of_sum(lane, size)])
-    for i in range(counts.size):
-        counts[i] += before[i + 1] - before[i]
+    for pixel in range(len(counts)):
+        counts[pixel] += before[pixel + 1] - before[pixel]
 
 
 @gate

@@ -55,7 +55,8 @@ def spread_light(counts, reach, gain, across, tiles):
     some = np.zeros(height, np.bool_)
     for row in range(height):
         across[row] = np.float32(0)
-        some[row] = counts[row].any()
+        for column in range(counts.shape[1]):
+            some[row] |= counts[row, column] != 0
         for column in range(width if some[row] else 0):
             total = 0
             for other in range(max(column - reach + 1, 0), min(column + reach, width)):
@@ -127,6 +128,19 @@ def lay_light(tiles, lights, lit, columns, rows, pixels, top, left):
             pixel_row[left + j] = _lit(pixel_row[left + j], shown[j])
 
 
+@gate
+def _columns_before(columns, end):
+    """Return how many of the columns, which rise, come before one."""
+    low, high = 0, len(columns)
+    while low < high:
+        middle = (low + high) // 2
+        if columns[middle] < end:
+            low = middle + 1
+        else:
+            high = middle
+    return low
+
+
 @kernel
 def find_lit(tiles, columns, lit):
     """Write to `lit` what `lay_light` needs of which tiles have light, or one beside them: it goes half a tile further.
@@ -142,7 +156,7 @@ def find_lit(tiles, columns, lit):
                     first, last = min(first, max(column - 1, 0)), max(last, min(column + 2, width))
         first = min(first, last)
         lit[row, 0], lit[row, 1] = first, last
-        lit[row, 2], lit[row, 3] = np.searchsorted(columns, first * TILE), np.searchsorted(columns, last * TILE)
+        lit[row, 2], lit[row, 3] = _columns_before(columns, first * TILE), _columns_before(columns, last * TILE)
 
 
 def tiles_of(height, width):

@@ -151,8 +151,11 @@ def decorate(walls, places):
     number = _count_runs(walls)
     lefts, firsts = np.empty(number, np.int32), np.empty(height + 1, np.int64)
     _find_runs(walls, lefts, firsts)
-    parents, is_open = np.arange(number), np.zeros(number, np.bool_)
-    longest, since = np.zeros(number, np.int32), np.full(width, -1, np.int64)
+    parents, is_open = np.empty(number, np.int64), np.zeros(number, np.bool_)
+    longest, since = np.zeros(number, np.int32), np.empty(width, np.int64)
+    since[:] = -1
+    for run in range(number):
+        parents[run] = run
     _join_rooms(walls, lefts, firsts, parents)
     cap = max(CAP * _measure(walls, lefts, firsts, parents, is_open, longest), SHORTEST_CAP * width)
     for y in range(height):

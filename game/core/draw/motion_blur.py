@@ -11,7 +11,8 @@ import numpy as np
 from game.core.compiler.word_pass import word_pass
 from game.core.draw.looks import falling
 from game.core.draw.rows import addresses
-from game.core.jit import call_words, gate, kernel
+from game.core.jit import gate, kernel
+from game.core.loops.calls import call_words
 from game.core.planes import LINE
 
 SAMPLES = 4  # a cycle of any schedule: what repeats with it is the same in every mean

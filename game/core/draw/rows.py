@@ -10,7 +10,8 @@ from functools import lru_cache
 import numpy as np
 
 from game.core.draw.looks import Around
-from game.core.jit import copy, gate
+from game.core.jit import gate
+from game.core.loops.calls import copy
 from game.core.planes import BITS, LINE
 
 _ONE, _LAST = np.uint64(1), np.uint64(BITS - 1)

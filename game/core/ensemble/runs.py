@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from game.core.chance import iteration_key, mix, seed_stream
-from game.core.jit import call_pass, gate, kernel
+from game.core.jit import gate, kernel
+from game.core.loops.calls import call_pass
 
 BITS = 64
 
@@ -54,7 +55,8 @@ def replicate(codes, moving, seed, first, runs, more_bits=0):
     bordered[1:-1, 1:-1] = codes
     cells = flat[:size].reshape(shape)
     fill(cells, bordered, np.flatnonzero(changing), full)
-    seeds = word_seeds(np.uint64(seed), first // BITS, len(full))
+    seeds = np.empty(len(full), np.uint64)
+    word_seeds(np.uint64(seed), first // BITS, seeds)
     return Replicas(flat, cells, bordered, changing, full, np.ones(bordered.shape, np.uint8), seeds)
 
 
@@ -80,12 +82,10 @@ def fill(cells, codes, bits, full):
 
 
 @kernel
-def word_seeds(seed, first, words):
-    """Return the seeds of `words` words of replicas, the first of them word `first` of the ensemble."""
-    seeds = np.empty(words, np.uint64)
-    for word in range(words):
+def word_seeds(seed, first, seeds):
+    """Write the seeds of words of replicas to `seeds`, the first of them that of word `first` of the ensemble."""
+    for word in range(len(seeds)):
         seeds[word] = mix(seed ^ _ENSEMBLE) + np.uint64(first + word) * _GOLDEN
-    return seeds
 
 
 @gate

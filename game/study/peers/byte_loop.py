@@ -1,13 +1,13 @@
 """The loop that most toys would write, compiled: a byte for each cell, block after block."""
 
+import numba
 import numpy as np
 
-from game.core.jit import kernel
 from game.study.peers import Peer
 from game.study.peers.lattice import EMPTY, SAND
 
 
-@kernel
+@numba.njit
 def _advance(cells, offsets, start, iterations, threshold_left, threshold_right):
     """Run the iterations in place. Thresholds: topple probabilities in units of 2**-32."""
     height, width = cells.shape[0] - 1, cells.shape[1] - 1

@@ -1,23 +1,25 @@
 """The loop that most toys would write for many materials, compiled: a byte for each cell, block states looked up."""
 
+import numba
 import numpy as np
 
-from game.core.chance import mix
-from game.core.jit import kernel
+from game.core import chance
 from game.study.peers import Peer
 from game.study.peers.block_table import block_table
 
 _GOLDEN = np.uint64(0x9E3779B97F4A7C15)
 _SHIFT = np.uint64(32)
 
+_mix = numba.njit(chance.mix)
 
-@kernel
+
+@numba.njit
 def _advance(cells, offsets, start, iterations, bits, first, last, after):
     """Run the iterations in place."""
     height, width = cells.shape[0] - 1, cells.shape[1] - 1
     across, low = (width - 1) // 2 + 1, (1 << bits) - 1
     for t in range(start, start + iterations):
-        key = mix(np.uint64(t) * _GOLDEN)
+        key = _mix(np.uint64(t) * _GOLDEN)
         left, top = offsets[t % len(offsets)]
         for y in range(1 - top, height, 2):
             for x in range(1 - left, width, 2):
@@ -28,7 +30,7 @@ def _advance(cells, offsets, start, iterations, bits, first, last, after):
                     continue
                 if last[at] != np.uint32(0xFFFFFFFF):
                     place = np.uint64(((y + 1) // 2) * across + (x + 1) // 2)
-                    drawn = mix(key + place * _GOLDEN) >> _SHIFT
+                    drawn = _mix(key + place * _GOLDEN) >> _SHIFT
                     while at < end and drawn > last[at]:
                         at += np.uint32(1)
                     if at == end:

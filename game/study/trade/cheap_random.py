@@ -8,6 +8,7 @@ import numpy as np
 
 from game.core.chance import iteration_key, mix, random_word, seed_stream, threshold
 from game.core.jit import gate, kernel
+from game.core.loops.calls import copy
 
 FRESH, ROTATED, ROW, LATTICE, FROZEN = range(5)
 SOURCES = {
@@ -38,8 +39,10 @@ def run_cheaply(sand, walls, p, offsets, iterations, runs, source, seed):
 @kernel
 def _run_all(start, offsets, iterations, limit, source, seed, total, surplus):
     height, width = start.shape
+    cells = np.empty((height, width), np.uint8)
     for run in range(len(surplus)):
-        cells = start.copy()
+        for y in range(height):
+            copy(start[y], 0, cells[y], 0, width)
         stream = seed_stream(mix(seed) + np.uint64(run))
         for iteration in range(iterations):
             x0, y0 = offsets[iteration % len(offsets)]
