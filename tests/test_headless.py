@@ -132,7 +132,7 @@ def test_a_process_that_refuses_ends_with_one_line_and_status_2():
 def test_kernels_run_without_a_writable_cache(tmp_path):
     closed = tmp_path / "file"
     closed.write_text("not a folder")
-    code = "from game.core import jit; print(jit.cache_folder()[0])"
+    code = "from game.core import jit; print(jit.cache_folder())"
     done = subprocess.run(
         [sys.executable, "-c", code], cwd=ROOT, env={**os.environ, "SANDGLASS_CACHE_DIR": str(closed)},
         capture_output=True, text=True, check=True,
@@ -146,7 +146,7 @@ def test_the_cache_is_named_by_the_sources(tmp_path):
         shutil.copytree(ROOT / "game", copy / "game")
         with open(copy / "game" / "core" / "block.py", "a", encoding="utf-8") as source:
             source.write(edit)
-        code = "from game.core import jit; print(jit.cache_folder()[0])"
+        code = "from game.core import jit; print(jit.cache_folder())"
         environment = {**os.environ, "SANDGLASS_CACHE_DIR": str(tmp_path / "cache")}
         return subprocess.run(
             [sys.executable, "-c", code], cwd=copy, env=environment, capture_output=True, text=True, check=True

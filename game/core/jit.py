@@ -60,21 +60,18 @@ def _prune(home, current):
 
 
 def cache_folder():
-    """Return (folder, whether it is new) for compiled kernels; the folder is None where none can be written.
-
-    Without one they live in memory only.
-    """
+    """Return the folder for compiled kernels, or None where none can be written: then they live in memory only."""
     home = Path(os.environ.get("SANDGLASS_CACHE_DIR") or user_cache_dir("sandglass", appauthor=False))
     folder = home / f"kernels-{_digest()}"
     is_new = not os.path.exists(folder)
     if not _writable(folder):
-        return None, False
+        return None
     if is_new:
         _prune(home, folder)
-    return folder, is_new
+    return folder
 
 
-_FOLDER, NEW = cache_folder()
+_FOLDER = cache_folder()
 _kernels = []
 _troubles = []  # what was wrong with the cache in this run, in words
 

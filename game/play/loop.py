@@ -12,7 +12,8 @@ from game.play.window.allocator import freeze_objects, return_freed_memory
 from game.play.window.layout import WindowLayout, first_scale, first_size, room_of, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
 from game.process import ending_within, is_asked_to_end, noting_signals
-from game.world.background.compile_worker import StepThread, steps_to_play
+from game.world.background.kernel_warmup import later_steps, steps
+from game.world.background.step_thread import StepThread
 from game.world.files.atomic import drop_parts
 from game.world.files.paths import clear_user_parts
 from game.world.looks.view import View
@@ -40,12 +41,11 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     if suits:
         scene = fine_glass(scene, room_of(layout, theme))
     cell = View.fit(scene.shape, *layout.sand).cell
-    first, later, companion = steps_to_play(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures)
-    worker = StepThread(first)
+    worker = StepThread(steps(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures))
     try:
         with noting_signals():
             if _make_ready(window, theme, worker):
-                worker = StepThread(later)
+                worker = StepThread(later_steps(scene.rule))
                 app = App(window, scene, seed, p, settings)
                 _begin(app, recording, timer_s)
                 if suits:
@@ -56,8 +56,6 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
                     app.parts.close()
     finally:
         pygame.quit()
-        if companion:
-            companion.close()
         worker.stop()
 
 
@@ -100,12 +98,12 @@ def run(app, later=None):
 
 def _make_ready(window, theme, worker):
     """Show a splash that says what a StepThread is at until it is done; return whether the player stayed."""
-    steps, splash, progress = worker.steps, Splash(theme), Progress(len(worker.steps))
+    to_do, splash, progress = worker.steps, Splash(theme), Progress(len(worker.steps))
     while not worker.wait(1 / 30):
         if is_asked_to_end() or any(event.type == pygame.QUIT for event in pygame.event.get()):
             return False
-        number, now_s = min(worker.done, len(steps) - 1), time.monotonic()
-        words = f"Compiling {steps[number][0]} … ({number + 1} of {len(steps)}, once on this machine)"
+        number, now_s = min(worker.done, len(to_do) - 1), time.monotonic()
+        words = f"Compiling {to_do[number][0]} … ({number + 1} of {len(to_do)}, once on this machine)"
         splash.draw(window.surface, words, progress.at(number, now_s), now_s)
         window.show()
     return True

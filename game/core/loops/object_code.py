@@ -11,8 +11,13 @@ _VECTORISED = 3  # the level of optimisation at which loops become vectors
 def _machine():
     """Return a new description of this machine, for one owner."""
     _initialize()
-    return llvm.Target.from_default_triple().create_target_machine(
-        cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=_VECTORISED, jit=True
+    target = llvm.Target.from_default_triple()
+    return target.create_target_machine(
+        cpu=llvm.get_host_cpu_name(),
+        features=llvm.get_host_cpu_features().flatten(),
+        opt=_VECTORISED,
+        reloc="static" if target.name.startswith("x86") else "default",  # as code in memory has to be there
+        jit=True,
     )
 
 

@@ -61,7 +61,7 @@ LASTING = """
 import gc
 import pygame
 from game.play.loop import run
-from game.world.background.compile_worker import StepThread
+from game.world.background.step_thread import StepThread
 
 class ShortGame:
     running = at_rest = hidden = True
