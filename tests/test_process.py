@@ -215,3 +215,18 @@ def test_a_kernel_cache_that_is_damaged_costs_a_run_one_line(tmp_path):
         out, said = command.communicate(timeout=600)
         assert command.returncode == 0 and json.loads(out)["grains_end"] == 528
         assert said.count("\n") == (content is not None) and "Traceback" not in said
+
+
+def test_programs_that_compile_at_once_and_are_killed_leave_a_cache_that_is_good(tmp_path):
+    cache = {"SANDGLASS_CACHE_DIR": str(tmp_path / "cache")}
+
+    def run():
+        return started("main.py", "headless", "--scene", "paper", "--frames", "2", "--json", **cache)
+
+    commands, until = [run() for _ in range(3)], time.monotonic() + 60
+    while not list(tmp_path.glob("cache/*/*.kernel")) and time.monotonic() < until:
+        time.sleep(0.01)
+    commands.pop().kill()
+    for command in (*commands, run()):
+        out, said = command.communicate(timeout=600)
+        assert command.returncode == 0 and json.loads(out)["grains_end"] == 528 and said == ""

@@ -1,4 +1,4 @@
-"""Machine code from LLVM IR, at an address, by what numba itself is built on."""
+"""Machine code from LLVM IR, at an address."""
 
 import platform
 
