@@ -23,10 +23,10 @@ _PACKED = {"i": "q", "u": "Q", "b": "q", "f": "d", "d": "d"}
 def described(value, types, words):
     """Append the types of an argument to one list, and what is handed over of it to another one."""
     if isinstance(value, np.ndarray):
-        sides, strides = value.shape, value.strides
+        sides, strides, kind = value.shape, value.strides, value.dtype
         # where the last items lie side by side, or there are no two of them, their stride does not matter
         is_dense = not sides or strides[-1] == value.itemsize or sides[-1] < 2
-        types.append((value.dtype.num, len(sides), is_dense))
+        types.append((kind.num if kind.isnative else kind.str, len(sides), is_dense))
         words.append(id(value))
     elif isinstance(value, tuple):
         types += type(value), len(value)
@@ -38,11 +38,13 @@ def described(value, types, words):
 
 
 def as_text(types):
-    """Return types as a text that is the same in every run."""
+    """Return types as a text that is the same in every run; raise TypeError for what no kernel takes."""
     parts = []
     for each in types:
         if type(each) is tuple:
             number, axes, is_dense = each
+            if number not in _ITEMS:
+                raise TypeError(f"a kernel takes no items of type {number}")
             parts.append(f"{_ITEMS[number]}[{axes}{'' if is_dense else ' apart'}]")
         else:
             parts.append(each.__name__ if isinstance(each, type) else str(each))
