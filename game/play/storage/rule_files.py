@@ -46,8 +46,12 @@ class RuleFiles:
         self.play(self.labels[label])
 
     def play(self, name_or_path, said=""):
-        """Play by a shipped rule or by that in a file."""
-        self._changes.make(lambda: Rule(definition=load_definition(name_or_path)), then=lambda _: self._tell(said))
+        """Play by a shipped rule or by that in a file; said: in place of what the rule says of itself."""
+
+        def tell(changed):
+            self._tell(said or (changed and self._sessions.now.rule.definition.notice))
+
+        self._changes.make(lambda: Rule(definition=load_definition(name_or_path)), then=tell)
 
     def reset(self):
         """Give the rule all values that its file says."""

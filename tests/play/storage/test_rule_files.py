@@ -139,6 +139,13 @@ def test_another_rule_takes_what_it_has_of_the_world_and_undo_brings_all_back(pl
     assert player.world.digest() == digest
 
 
+def test_a_rule_that_is_chosen_says_what_it_is_about(player):
+    for title, name in (("Alchemy", "alchemy"), ("Sand", "sand")):
+        player.parts.rule_files.choose(title)
+        player.settle()
+        assert player.parts.notices.text == load_rule(name).definition.notice != ""
+
+
 def test_a_copy_takes_along_what_the_rule_includes_and_replaces_no_file(player, tmp_path):
     (tmp_path / "flowing.toml").write_text(asset("rules", "motion.toml").read_text("utf-8") + "\n# mine\n", "utf-8")
     player.drop(own_file(tmp_path, 'include = ["motion"]', 'include = ["flowing"]'))
