@@ -4,7 +4,7 @@ import re
 from functools import lru_cache
 from itertools import accumulate
 
-from game.core.compiler.plan import ALWAYS, CHANCE, NEVER, plan, threshold_of, thresholds_of
+from game.core.compiler.plan import ALWAYS, CHANCE, NEVER, plan, threshold_of, thresholds_in
 from game.core.compiler.rule_pass import edges_of
 from game.core.rule_table import CERTAIN
 from game.export.c_text import listed, plain, text
@@ -18,11 +18,8 @@ RESERVED = (  # what the header calls SANDGLASS_… beside the materials
 
 def plan_of(rule):
     """Return the Plan of a rule in which any chance with a name may be anything."""
-    kinds, named = {}, len(rule.definition.chances)
-    for layer in rule.table.layers:
-        for claim in layer:
-            for slots in thresholds_of(claim):
-                kinds[slots] = _kind(slots, named, rule.values)
+    named = len(rule.definition.chances)
+    kinds = {slots: _kind(slots, named, rule.values) for slots in thresholds_in(rule.table)}
     return _planned(rule.table, tuple(kinds.items()))
 
 

@@ -1,5 +1,6 @@
 """The plan of a rule: the gates that say which event a block has, what decides about it and what it changes."""
 
+from functools import lru_cache
 from math import fsum
 from typing import NamedTuple
 
@@ -54,7 +55,7 @@ class _Piece(NamedTuple):
 
 
 def plan(table, kinds):
-    """Return the Plan of a RuleTable; kinds: {slots: NEVER, CHANCE or ALWAYS} for all its `thresholds_of`."""
+    """Return the Plan of a RuleTable; kinds: {slots: NEVER, CHANCE or ALWAYS} for all its thresholds."""
     inputs = 4 * table.bits + table.has_fair_bit
     used = np.zeros(table.states, bool)
     used[table.used_states] = True
@@ -222,12 +223,17 @@ def gate_count(made):
 def kinds_of(table, probabilities):
     """Return {slots: NEVER, CHANCE or ALWAYS} for all thresholds of a RuleTable."""
     found = {}
-    for layer in table.layers:
-        for claim in layer:
-            for slots in thresholds_of(claim):
-                bound = threshold_of(slots, probabilities)
-                found[slots] = NEVER if bound == 0 else ALWAYS if bound == 2**32 else CHANCE
+    for slots in thresholds_in(table):
+        bound = threshold_of(slots, probabilities)
+        found[slots] = NEVER if bound == 0 else ALWAYS if bound == 2**32 else CHANCE
     return found
+
+
+@lru_cache(maxsize=64)
+def thresholds_in(table):
+    """Return the slots of all thresholds of a RuleTable, in order."""
+    claims = (claim for layer in table.layers for claim in layer)
+    return tuple(dict.fromkeys(slots for claim in claims for slots in thresholds_of(claim)))
 
 
 def threshold_of(slots, probabilities):

@@ -9,7 +9,7 @@ from game.core.compiler import dispatch, self_check
 from game.core.compiler.dispatch import DispatchTable
 from game.core.compiler.machine_code import MachineCode, features, lanes, machine
 from game.core.compiler.narrowing import LEAST_GATES, NarrowPasses
-from game.core.compiler.plan import Plan, gate_count, kinds_of, plan, threshold_of, thresholds_of
+from game.core.compiler.plan import Plan, gate_count, kinds_of, plan, threshold_of, thresholds_in
 from game.core.compiler.vector_ir import NAME, chances_of, source
 from game.core.jit import kept
 from game.core.rule_table import corners
@@ -110,6 +110,7 @@ class _Passes:
         return chances_of(made.plan, lambda _, slots: threshold_of(slots, self._probabilities))
 
 
+@lru_cache(maxsize=64)
 def edges_of(table):
     """Return whether blocks whose upper, and whose lower corners are outside have events: two bools."""
     return _events_beside(table, (0, 1)), _events_beside(table, (2, 3))
@@ -139,7 +140,7 @@ def _compiled(table, kinds, payload, most_lanes):
 
     def make(codes):
         part = table.narrowed(codes)
-        held = {slots for layer in part.layers for claim in layer for slots in thresholds_of(claim)}
+        held = set(thresholds_in(part))
         return _made_pass(part, tuple((slots, kind) for slots, kind in kinds if slots in held), 0, whole.lanes)
 
     code = MachineCode(dispatch.source(table.bits, table.codes, whole.lanes), dispatch.NAME)
