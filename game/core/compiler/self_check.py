@@ -87,7 +87,7 @@ def _same(found, expected):
 
 def _expected(table, kinds, bound, states, belongings, origin, may):
     """Return (blocks after, belongings after, where those mean something, what a pass returns)."""
-    after, kept, stirred = states.copy(), belongings.copy(), False
+    after, kept, stirred, carried = states.copy(), belongings.copy(), False, belongings.any()
     free, face = may.copy(), _bits(origin, FAIR_STEP)
     used, taking = table.used_states, np.flatnonzero(may)
     by_state = taking[np.argsort(states[taking], kind="stable")].reshape(len(used), -1)
@@ -105,7 +105,7 @@ def _expected(table, kinds, bound, states, belongings, origin, may):
                 chosen = blocks[(uniform[blocks] >= low) & (uniform[blocks] < high)]
                 after[chosen] = outcome.after[np.searchsorted(claim.states, states[chosen])]
                 free[chosen] = False
-                if belongings.any():
+                if carried:
                     sources = effect_of(claim.states, outcome.after, table.bits).sources
                     kept[:, chosen] = belongings[sources, :][:, chosen]
                 low = max(low, high)
