@@ -88,9 +88,10 @@ class ShippedScenes:
         return moved
 
     def _make_next(self):
-        """Make the next small world beside the frames."""
-        name = next((name for name in self._names if name not in self._lives), None)
-        if name is not None and self._is_open() and not self._making:
+        """Make the next small world beside the frames: that of the scene that is played, then those around it."""
+        missing = [number for number, name in enumerate(self._names) if name not in self._lives]
+        name = self._names[min(missing, key=lambda number: abs(number - self.first))] if missing else None
+        if missing and self._is_open() and not self._making:
             self._making = True
             self._background.do(partial(Life, name, self._display.colours), partial(self._take, name), self._give_up)
 

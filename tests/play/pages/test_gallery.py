@@ -12,6 +12,7 @@ from game.play.pages import shipped_scenes
 from game.world.sand.advance import advance
 from game.world.scenes.scene import load_scene, scene_names
 from game.world.sessions.moment import account_of
+from tests.play.player import Player
 
 kept_scene = cache(load_scene)
 
@@ -171,6 +172,18 @@ def test_a_frame_of_the_gallery_keeps_its_budget(player):
         player.frame()
         took.append(time.thread_time() - start)
     assert np.percentile(took, 25) < 0.016
+
+
+def test_the_scene_that_is_played_is_made_first_and_then_those_around_it(monkeypatch):
+    made, life = [], shipped_scenes.Life
+    monkeypatch.setattr(shipped_scenes, "Life", lambda name, colours: made.append(name) or life(name, colours))
+    player = Player("winter-pond", size=(900, 700))
+    gallery = looked_at(player)
+    there = scene_names().index("winter-pond")
+    assert gallery.chosen == there and len(made) == len(scene_names())
+    distances = [abs(scene_names().index(name) - there) for name in made]
+    assert distances == sorted(distances)
+    pygame.display.quit()
 
 
 def test_no_world_is_made_for_a_gallery_whose_window_was_closed(player):
