@@ -3,6 +3,7 @@
 import os
 import re
 from datetime import datetime
+from functools import cache
 from pathlib import Path
 
 from platformdirs import user_config_dir, user_data_dir
@@ -18,9 +19,13 @@ KINDS = "scenes", "stamps", "replays", "pictures", "measures", "rules"
 
 def asset(*parts):
     """Return the path of a shipped file or folder: inside an installed package, or beside it in a checkout."""
+    return _assets().joinpath(*parts)
+
+
+@cache
+def _assets():
     installed = PACKAGE / "assets"
-    home = installed if installed.is_dir() else PACKAGE.parent / "assets"
-    return home.joinpath(*parts)
+    return installed if installed.is_dir() else PACKAGE.parent / "assets"
 
 
 def folder_of(kind):
