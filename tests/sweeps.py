@@ -1,14 +1,19 @@
-"""Repetitions of a law over more scenes, rules or builds than a quick run needs: `pytest -m sweep` runs them."""
+"""Sweeps: a law repeated over more scenes, rules, sizes or builds than a quick run needs."""
 
 import pytest
 
 
-def sweep(cases, keep=()):
-    """Return cases to parametrise a test with: those in `keep` are always run, all others in a sweep alone."""
+def sweep(names, cases, keep=()):
+    """Return what runs a test with every case: with those in `keep` always, with all others in a sweep alone."""
+    several = not isinstance(names, str)
+    return pytest.mark.parametrize(names, swept(cases, keep, several))
+
+
+def swept(cases, keep=(), several=False):
+    """Return the cases, all but those in `keep` marked as a sweep; `several`: each is a tuple of arguments."""
     cases = list(cases)
-    assert set(keep) <= set(cases), f"found {set(keep) - set(cases)} to keep, wanted cases"
-    return [case if case in keep else _swept(case) for case in cases]
-
-
-def _swept(case):
-    return pytest.param(*(case if isinstance(case, tuple) else (case,)), marks=pytest.mark.sweep)
+    assert all(each in cases for each in keep), f"wanted some of {cases} to keep, found {keep}"
+    return [
+        case if case in keep else pytest.param(*(case if several else [case]), marks=pytest.mark.sweep)
+        for case in cases
+    ]

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from game import advance, cli, headless, load_scene, scene_names
+from tests.sweeps import sweep
 
 ROOT = Path(__file__).parents[1]
 FIELDS = {
@@ -86,7 +87,7 @@ def test_no_start_waits_for_the_linear_algebra_of_scipy():
     assert done.stdout.splitlines()[-1] == "False"
 
 
-@pytest.mark.parametrize("driver", ["", "x11"])
+@sweep("driver", ["", "x11"], keep=["x11"])
 def test_with_no_display_the_toy_says_so_and_runs_headless(driver):
     done = command(SDL_VIDEODRIVER=driver, DISPLAY="", WAYLAND_DISPLAY="")
     first, *rest = done.stdout.splitlines()

@@ -13,6 +13,7 @@ import pytest
 
 from game.core import jit
 from game.world.files.settings import Settings
+from tests.sweeps import sweep
 
 ROOT = Path(__file__).parents[1]
 NUMBERS = [signal.SIGINT, signal.SIGTERM, signal.SIGHUP]
@@ -67,7 +68,7 @@ sys.exit(main(["--scene", "paper"]))
 """
 
 
-@pytest.mark.parametrize("number", NUMBERS)
+@sweep("number", NUMBERS, keep=[signal.SIGTERM, signal.SIGHUP])
 def test_a_signal_ends_the_window_as_closing_it_does(number, own_folder, tmp_path):
     window = started("-c", PLAYING)
     assert window.stdout.readline() == "playing\n"
@@ -81,7 +82,7 @@ def test_a_signal_ends_the_window_as_closing_it_does(number, own_folder, tmp_pat
     assert not at_work(window.pid)
 
 
-@pytest.mark.parametrize("number", NUMBERS)
+@sweep("number", NUMBERS, keep=[signal.SIGINT])
 def test_a_signal_while_kernels_compile_leaves_nobody_at_work(number, tmp_path):
     window = started("main.py", SANDGLASS_CACHE_DIR=str(tmp_path / "cache"))
     until = time.monotonic() + 60
@@ -134,7 +135,7 @@ def test_a_signal_in_a_finalizer_ends_all_the_same():
     assert (done.returncode, done.stderr) == (143, "")
 
 
-@pytest.mark.parametrize("encoding", ["ascii", "latin-1", "cp437"])
+@sweep("encoding", ["ascii", "latin-1", "cp437"], keep=["ascii"])
 @pytest.mark.parametrize("arguments", [["--help"], ["headless", "--help"], ["study", "--help"], ["--scene", "→"]])
 def test_what_a_terminal_cannot_show_is_replaced(encoding, arguments):
     command = started("main.py", *arguments, PYTHONIOENCODING=encoding)
@@ -142,7 +143,7 @@ def test_what_a_terminal_cannot_show_is_replaced(encoding, arguments):
     assert "Traceback" not in said and command.returncode == (2 if "--scene" in arguments else 0)
 
 
-@pytest.mark.parametrize("arguments", [["--help"], ["headless", "--scene", "paper", "--frames", "2"]])
+@sweep("arguments", [["--help"], ["headless", "--scene", "paper", "--frames", "2"]], keep=[["--help"]])
 def test_output_that_cannot_be_written_is_one_line_and_status_2(arguments):
     with open("/dev/full", "w") as full:
         done = subprocess.run(
@@ -170,7 +171,7 @@ def copy(tmp_path_factory):
     return folder
 
 
-@pytest.mark.parametrize(
+@sweep(
     ("content", "found", "command"),
     [
         (None, "no such file", "rule water-and-oil"),
@@ -182,6 +183,7 @@ def copy(tmp_path_factory):
         (WITHOUT_ONE, "fall_both", "--scene paper"),
         (WITHOUT_ONE, "fall_both", "bench --quick"),
     ],
+    keep=[(None, "no such file", "rule water-and-oil"), (WITHOUT_ONE, "fall_both", "--scene paper")],
 )
 def test_a_shipped_rule_that_is_damaged_is_one_line_and_status_2(content, found, command, copy):
     path = copy / "assets" / "rules" / "sand.toml"

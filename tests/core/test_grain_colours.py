@@ -11,6 +11,7 @@ from tests.cells import NAMES, coloured, random_world, rows_of
 from tests.core.test_skipping import RULES as SKIPPING_RULES
 from tests.core.test_skipping import creep
 from tests.core.test_step import KINDS, SHAPES
+from tests.sweeps import sweep
 
 steady = settings(derandomize=True, deadline=None, max_examples=40)
 
@@ -42,7 +43,7 @@ def take_along(before, after, colours, y, x):
 
 
 @pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+@sweep("schedule", reference.SCHEDULES, keep=["balanced"])
 def test_colours_go_where_their_grains_go(kind, schedule):
     generator = np.random.default_rng(50)
     rule = Rule(*KINDS[kind], schedule=schedule)
@@ -54,7 +55,7 @@ def test_colours_go_where_their_grains_go(kind, schedule):
         assert (world.colours == wanted).all(), f"{height} x {width} cells"
 
 
-@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+@sweep("schedule", reference.SCHEDULES, keep=["balanced"])
 def test_colours_go_where_their_grains_go_across_bands(schedule):
     generator = np.random.default_rng(55)
     world = coloured(random_world(generator, 700, 130, seed=5, sand=0.3), generator)

@@ -73,7 +73,7 @@ def test_the_first_command_builds_the_example(out):
     assert len(run("sh", "-c", command("example.c").replace("./example", "./example 0"), cwd=out).splitlines()) > 20
 
 
-@pytest.mark.parametrize("compiler", sweep(["g++", "clang++"], keep=["g++"]))
+@sweep("compiler", ["g++", "clang++"], keep=["g++"])
 @pytest.mark.parametrize(
     ("number", "engine", "headers"),
     [
@@ -101,7 +101,7 @@ def test_classes_in_cpp_draw_the_cells(out, compiler, number, engine, headers):
     assert run(out / "engine") == f"{pixels_after(FRAMES * ITERATIONS)[0]:x} 0\n"
 
 
-@pytest.mark.parametrize("compiler", sweep(["g++", "clang++"], keep=["g++"]))
+@sweep("compiler", ["g++", "clang++"], keep=["g++"])
 def test_the_header_is_strict_cpp(out, compiler):
     needs(compiler)
     (out / "all.cpp").write_text('#define SANDGLASS_IMPLEMENTATION\n#include "sandglass.h"\n', encoding="utf-8")
@@ -141,7 +141,7 @@ def test_the_class_for_unity_draws_the_cells(out):
     assert [int(line) for line in printed.split()] == pixels_after(FRAMES * ITERATIONS).tolist()
 
 
-@pytest.mark.parametrize("simd", sweep(["", "-msimd128"], keep=["-msimd128"]))
+@sweep("simd", ["", "-msimd128"], keep=["-msimd128"])
 def test_the_page_for_browsers_draws_the_cells(out, simd):
     needs("clang", "wasm-ld", "node")
     run("sh", "-c", command("wasm32").replace("-msimd128", simd), cwd=out)

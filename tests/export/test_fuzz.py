@@ -7,10 +7,10 @@ from tests.export.library import FOLDER, STRICT, builds, run, texts_of
 from tests.sweeps import sweep
 
 SANITIZERS = ("-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all")
-CASES = [("rolling-sand", "-O0"), *sweep((name, "-O1") for name in rule_names())]
+QUICK = ("rolling-sand", "-O0")
 
 
-@pytest.mark.parametrize(("name", "level"), CASES)
+@sweep(("name", "level"), [QUICK, *((name, "-O1") for name in rule_names())], keep=[QUICK])
 def test_a_header_called_at_random_keeps_to_its_memory(name, level, tmp_path):
     compiler = builds()[0].split()[0]
     (tmp_path / "sandglass.h").write_text(texts_of(name)["sandglass.h"], encoding="utf-8")

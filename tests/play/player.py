@@ -1,6 +1,7 @@
 """A player at the window: hands that press keys and buttons, under the dummy video driver."""
 
 from contextlib import contextmanager
+from functools import cache
 from unittest import mock
 
 import pygame
@@ -8,9 +9,10 @@ import pygame
 from game.play.app import App
 from game.play.ui import draw_list
 from game.play.window.window import Window
-from game.world.scenes.scene import load_scene
+from game.world.scenes import scene as scenes
 
 FRAME_NS = 16_666_667
+load_scene = cache(scenes.load_scene)  # nobody changes a scene
 MADE = []  # the players of the test that runs
 WAIT_MS = 20  # at most, from frame to frame, for what the background does
 

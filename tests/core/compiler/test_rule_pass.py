@@ -16,6 +16,7 @@ from game.world.rules.rule import SAND, SCHEDULES
 from game.world.sand.active_bands import ActiveBands
 from tests.core.compiler import plain
 from tests.core.compiler.rules import random_table
+from tests.sweeps import sweep
 
 FULL = 2**64 - 1
 SHAPES = [(1, 1), (2, 3), (9, 12), (8, 128), (5, 129), (70, 3)]
@@ -42,8 +43,7 @@ class Lattice:
         advance_planes(self.planes.reshape(-1), shape, moving.run, moving.edges, *told)
 
 
-@pytest.mark.parametrize("bits", [2, 3, 4])
-@pytest.mark.parametrize("number", range(4))
+@sweep(("bits", "number"), product((2, 3, 4), range(4)), keep=[*product((2, 3), range(4)), (4, 1)])
 def test_any_rule_agrees_with_its_table_block_by_block(bits, number):
     generator = np.random.default_rng(60 + number)
     table = random_table(generator, bits)

@@ -6,6 +6,7 @@ import pytest
 from game.core.draw.downscaled import LIGHTS, CountPass, shift_edges
 from game.core.draw.looks import DYES, SAND
 from game.core.planes import DEPTH, layout, pack
+from tests.sweeps import sweep
 
 AIR, PLAIN = [7, 11, 13], [[900, 3, 500], [5, 1900, 400], [90, 60, 2000]]  # the light of air, and of each kind
 DECOR = [[9, 8, 7], [500, 90, 20], [60, 7, 900], [3, 70, 800]]
@@ -38,7 +39,7 @@ def block_sums(cells, rows, columns):
         ((60, 16381), (2, 1990)),
     ],
 )
-@pytest.mark.parametrize("share", [0.0, 0.4, 1.0])
+@sweep("share", [0.0, 0.4, 1.0], keep=[0.4])
 @pytest.mark.parametrize(("decorated", "dyed"), [(False, False), (True, True)])
 @pytest.mark.parametrize("shifted", [False, True])
 def test_a_pixel_mixes_what_numpy_counts_in_its_cells(shape, size, share, decorated, dyed, shifted):

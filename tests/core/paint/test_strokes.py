@@ -14,7 +14,7 @@ from game.core.paint.strokes import DIAMOND, ROUND, SQUARE
 from game.world.sand.material_codes import EMPTY, SAND, WALL
 from tests.cells import joined_to, random_world
 
-steady = settings(derandomize=True, deadline=None, max_examples=60)
+steady = settings(derandomize=True, deadline=None, max_examples=30)
 HEIGHT, WIDTH = 23, 147
 places = st.tuples(st.floats(-6, WIDTH + 6), st.floats(-6, HEIGHT + 6))
 columns, rows = st.integers(-5, WIDTH + 5), st.integers(-5, HEIGHT + 5)

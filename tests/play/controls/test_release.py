@@ -4,6 +4,7 @@ import pygame
 import pytest
 
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 
 def pressed_at(player, pos, button=1):
@@ -65,7 +66,7 @@ def lose_focus(player):
 
 
 @pytest.mark.parametrize("hold", BUTTONS)
-@pytest.mark.parametrize("key", [pygame.K_F1, pygame.K_F2, pygame.K_p])
+@sweep("key", [pygame.K_F1, pygame.K_F2, pygame.K_p], keep=[pygame.K_F1])
 def test_what_a_button_holds_is_let_go_of_when_a_page_opens_or_the_panel_goes(glass, key, hold):
     glass.wait(20)
     let_go = hold(glass)

@@ -13,6 +13,7 @@ from game.world.scenes.picture_file import open_picture
 from game.world.sessions.recording import load_replay
 from game.world.sessions.session import Session
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 CTRL, SHIFT = pygame.KMOD_LCTRL, pygame.KMOD_LSHIFT
 TILES = {"Saved": 1, "Stamps": 2, "Replays": 3}
@@ -227,7 +228,7 @@ def test_a_stamp_of_a_glass_is_kept_as_glass(glass):
     assert scene.made_of == "glass" and scene.shape == glass.world.shape
 
 
-@pytest.mark.parametrize("size", [(640, 480), (1280, 720), (3840, 2160)])
+@sweep("size", [(640, 480), (1280, 720), (3840, 2160)], keep=[(640, 480)])
 def test_nothing_in_the_head_of_a_shelf_lies_over_another_or_is_cut(size):
     player = Player("blank", size)
     player.hold_time()

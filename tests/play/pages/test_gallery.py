@@ -13,6 +13,7 @@ from game.world.sand.advance import advance
 from game.world.scenes.scene import load_scene, scene_names
 from game.world.sessions.moment import account_of
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 kept_scene = cache(load_scene)
 
@@ -104,7 +105,7 @@ def test_the_wheel_scrolls_along_its_own_axis_only(player):
         assert (gallery.tile(0) is None) == top
 
 
-@pytest.mark.parametrize("number", [0, 4, len(scene_names()) - 1])
+@sweep("number", [0, 4, len(scene_names()) - 1], keep=[4])
 def test_a_scene_is_opened_by_keys_and_by_a_click(player, number):
     gallery = looked_at(player)
     player.key(pygame.K_HOME)
@@ -143,8 +144,8 @@ def test_tab_and_a_click_turn_to_the_saved_scenes(player):
     assert not gallery.shown and player.parts.running
 
 
-@pytest.mark.parametrize("size", [(640, 480), (1280, 720), (3840, 2160)])
-@pytest.mark.parametrize("scale", [0.75, 1, 1.5, 3])
+@sweep("size", [(640, 480), (1280, 720), (3840, 2160)], keep=[(640, 480), (1280, 720)])
+@sweep("scale", [0.75, 1, 1.5, 3], keep=[0.75, 3])
 def test_no_tile_is_cut_or_covered_and_the_chosen_one_is_in_sight(player, size, scale):
     parts = player.parts
     parts.settings.override("ui_scale", scale)

@@ -16,6 +16,7 @@ from game.play.ui.widgets import Ui
 from game.world.scenes.scene import load_scene, scene_names
 from game.world.sessions.action import SetRule
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 SIZES = (640, 480), (1280, 720), (3840, 2160)
 SCALES = 0.75, 1, 1.5, 3
@@ -76,20 +77,20 @@ def test_the_ends_of_every_slider_have_names(unfolded, monkeypatch, scene):
     pygame.display.quit()
 
 
-@pytest.mark.parametrize("scale", SCALES)
-@pytest.mark.parametrize("size", SIZES)
+@sweep("scale", SCALES, keep=[0.75, 3])
+@sweep("size", SIZES, keep=SIZES[:2])
 def test_no_control_overlaps_another_and_no_word_is_cut(glass, size, scale):
     check(glass, size, scale)
 
 
-@pytest.mark.parametrize("scale", SCALES)
-@pytest.mark.parametrize("size", SIZES)
+@sweep("scale", SCALES, keep=[0.75, 3])
+@sweep("size", SIZES, keep=SIZES[:2])
 def test_nor_with_all_folds_open(glass, size, scale, unfolded):
     check(glass, size, scale)
 
 
-@pytest.mark.parametrize("scale", SCALES)
-@pytest.mark.parametrize("size", SIZES)
+@sweep("scale", SCALES, keep=[0.75, 3])
+@sweep("size", SIZES, keep=SIZES[:2])
 def test_the_parts_of_the_window_share_it_without_a_gap(glass, size, scale):
     seen(glass, size, scale)
     layout = glass.parts.display.layout
@@ -99,8 +100,8 @@ def test_the_parts_of_the_window_share_it_without_a_gap(glass, size, scale):
     assert layout.sand.width >= size[0] // 2 - 1 and layout.sand.height > size[1] // 2
 
 
-@pytest.mark.parametrize("scale", (0.75, 3))
-@pytest.mark.parametrize("size", TINY)
+@sweep("scale", (0.75, 3), keep=[3])
+@sweep("size", TINY, keep=[(1, 1), (60, 300), (200, 60)])
 def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, scale):
     Image.new("RGB", (64, 48), "gold").save(tmp_path / "photo.png")
     seen(glass, size, scale)
@@ -125,13 +126,14 @@ def test_no_window_is_too_small_for_what_is_drawn_in_it(glass, tmp_path, size, s
     assert glass.parts.photo_import.shown and glass.parts.help.shown
 
 
-@pytest.mark.parametrize("name", scene_names())
+@sweep("name", scene_names(), keep=["hourglass", "kitchen", "galton"])
 def test_what_a_newcomer_reaches_for_is_in_sight_without_scrolling(glass, name):
-    glass.parts.sessions.open_scene(load_scene(name), 0)
+    scene = load_scene(name)
+    glass.parts.sessions.open_scene(scene, 0)
     ui = seen(glass, (1280, 720), 1)
     panel = glass.parts.display.layout.panel
     assert ui.focus.scroll.offset == 0
-    essentials = [each for each in ESSENTIALS if load_scene(name).rule.codes.is_sand or each not in OF_SAND]
+    essentials = [each for each in ESSENTIALS if scene.rule.codes.is_sand or each not in OF_SAND]
     assert [each for each in essentials if not panel.contains(ui.rects[each])] == []
     tops = [ui.rects[each].y for each in essentials]
     assert tops == sorted(tops)

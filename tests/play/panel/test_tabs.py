@@ -1,12 +1,12 @@
 """Laws of the tabs: each brings its section to the top, whole, in small windows too, by mouse and by keyboard."""
 
 import pygame
-import pytest
 
 from game.play.ui import draw_list
 from game.play.ui import theme as look
 from tests.play.panel.test_panel import seen
 from tests.play.player import words_of
+from tests.sweeps import sweep
 
 FIRST = {  # control of each tab's section
     **{"Scene": "Scene", "Tools": "Tool", "Rule": "Rule", "Time": "Speed", "More": "Timer", "Measure": "Forecast"},
@@ -35,7 +35,7 @@ def shows(player, name):
     return tab(player, name)[1] and all(column.contains(ui.rects[each[name]]) for each in (FIRST, LAST))
 
 
-@pytest.mark.parametrize(("size", "scale"), WINDOWS)
+@sweep(("size", "scale"), WINDOWS, keep=WINDOWS[:2])
 def test_a_press_on_a_tab_brings_its_section_into_sight_as_a_whole(glass, size, scale):
     seen(glass, size, scale)
     for name in (*FIRST, *reversed(FIRST)):
@@ -44,7 +44,7 @@ def test_a_press_on_a_tab_brings_its_section_into_sight_as_a_whole(glass, size, 
         assert shows(glass, name), name
 
 
-@pytest.mark.parametrize(("size", "scale"), WINDOWS)
+@sweep(("size", "scale"), WINDOWS, keep=WINDOWS[:2])
 def test_ctrl_and_the_page_keys_go_round_the_sections_and_work_their_first_control(glass, size, scale):
     ui = seen(glass, size, scale)
     for code, names in ((pygame.K_PAGEDOWN, [*FIRST][1:] + [*FIRST][:1]), (pygame.K_PAGEUP, reversed(FIRST))):

@@ -18,6 +18,7 @@ from game.play.window.layout import WindowLayout
 from game.world.sessions import measurements
 from game.world.sessions.action import Clear, Draw, Paint, SetRule
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 
 @pytest.mark.parametrize("panel_shown", [True, False])
@@ -189,7 +190,7 @@ def test_a_slow_frame_leaves_room_for_its_title(slowest_ms):
     pygame.display.quit()
 
 
-@pytest.mark.parametrize("factor", [1, 15, 1500])
+@sweep("factor", [1, 15, 1500], keep=[1500])
 @pytest.mark.parametrize(
     ("size", "scale"), [((900, 520), 1), ((1280, 720), 1), ((1300, 480), 1), ((1065, 480), 1), ((2560, 1600), 3)]
 )

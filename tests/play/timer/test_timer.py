@@ -21,6 +21,7 @@ from game.world.sessions.run_out import RunOut
 from game.world.sessions.session import Session
 from tests.cells import small_glass
 from tests.play.player import FRAME_NS, Player
+from tests.sweeps import sweep
 
 FRAME_S = FRAME_NS / 1e9
 
@@ -72,7 +73,7 @@ def waiting(monkeypatch):
     pygame.display.quit()
 
 
-@pytest.mark.parametrize("seconds", [2, 7.3, 20])
+@sweep("seconds", [2, 7.3, 20], keep=[2, 7.3])
 def test_the_last_grain_falls_within_a_frame_of_the_time(waiting, seconds):
     waiting.start(seconds)
     while waiting.timer.state == RUNNING:
@@ -240,7 +241,7 @@ def test_a_scene_without_end_is_told_of(waiting, monkeypatch):
 def test_an_end_that_was_not_found_in_time_is_told_as_such(waiting, monkeypatch):
     monkeypatch.setattr(waiting.parts.planner, "ask", lambda: None)
     waiting.start(1)
-    waiting.pass_time(PATIENCE_S + 1.5)
+    waiting.pass_time(PATIENCE_S + 1.5, 0.1)
     assert waiting.timer.state == OVER and "was not found in time" in waiting.timer.said
 
 
@@ -350,7 +351,7 @@ def test_the_frame_glows_for_a_while(waiting, reduced):
     waiting.wait(40)
     bright = waiting.parts.window.surface.get_at(corner)
     assert sum(bright[:3]) > sum(dark[:3])
-    waiting.pass_time(6)
+    waiting.pass_time(6, 0.1)
     assert waiting.parts.window.surface.get_at(corner) == dark and not waiting.parts.glow.shown
 
 

@@ -17,14 +17,14 @@ from game.play.trials.soak import Soak
 pygame.font.init()
 soak = Soak(seed=5)
 parts, known = soak.app.parts, ready()
-soak.run(0.05, print)
+soak.run(0.02, print)
 for name in ("hourglass", "rainbow", "fountain", "city"):
     parts.sessions.load(name)
-    soak.run(0.05, print)
+    soak.run(0.02, print)
     shown = "view.toggle_forecast", "view.toggle_plots", "view.toggle_differences", "view.toggle_density"
     for command in ("sand.flip", "sand.compare", "time.undo", "sand.compare", *shown, "time.redo"):
         parts.commands.give(command)
-        soak.run(0.05, print)
+        soak.run(0.02, print)
     parts.sessions.now.world.digest()
 assert ready() == known, ready() - known
 """

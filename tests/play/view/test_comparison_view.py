@@ -16,6 +16,7 @@ from game.world.sessions.action import Clear
 from game.world.sessions.comparison import Comparison
 from game.world.sessions.session import Session
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 
 @pytest.fixture
@@ -217,7 +218,7 @@ def test_many_materials_are_compared_but_not_by_p():
     pygame.display.quit()
 
 
-@pytest.mark.parametrize("scene", ["fullhd", "paper", "kitchen"])
+@sweep("scene", ["fullhd", "paper", "kitchen"], keep=["paper"])
 def test_a_world_that_is_still_on_its_way_to_another_scene_is_shown_once_it_is_there(three, scene):
     three.hold_time()
     three.wait(30)

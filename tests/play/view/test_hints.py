@@ -8,6 +8,7 @@ from game.play.storage.files import demos
 from game.play.view.hints import APART_S, HINTS
 from game.world.files.settings import Settings
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 PAINT, FLIP, P, MATERIAL = (hint.words for hint in HINTS)
 
@@ -75,7 +76,7 @@ def test_what_is_done_in_a_replay_is_not_known_to_who_looks_on(glass):
     assert glass.parts.settings["hints_seen"] == ("flip",)
 
 
-@pytest.mark.parametrize("code", [pygame.K_F1, pygame.K_F2])
+@sweep("code", [pygame.K_F1, pygame.K_F2], keep=[pygame.K_F1])
 def test_no_hint_is_shown_behind_a_page(glass, code):
     glass.key(code)
     assert said(glass, 20) == []

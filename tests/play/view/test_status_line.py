@@ -8,7 +8,11 @@ from game.play.ui import theme as look
 from game.play.view.frame_stats import FrameTime, read
 from game.play.view.overlays.stats_card import BUSY, FULL
 from game.world.sessions.action import Paint
+<<<<<<< HEAD
 from tests.play.player import Player
+=======
+from tests.sweeps import sweep
+>>>>>>> b15c84e (Keep of every law its telling cases in the default suite, and repeat it over all others in the sweep)
 
 MS = 10**6
 BUDGET_MS = 16
@@ -169,7 +173,7 @@ def test_figures_tell_nothing_beside_their_card(glass):
     assert len(strokes) > 5 and all(rect.contains(pygame.Rect(place)) for _, place, *_ in strokes)
 
 
-@pytest.mark.parametrize("height", range(30, 240, 15))
+@sweep("height", range(30, 240, 15), keep=[30, 75, 120, 225])
 def test_no_figure_is_cut_off_in_a_card_that_is_too_low_for_all(glass, height):
     glass.parts.stats_card.toggle()
     glass.wait(20)

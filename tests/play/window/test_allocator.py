@@ -11,7 +11,7 @@ import numpy as np
 from game.play.window.allocator import return_freed_memory, resident_mb
 assert return_freed_memory()
 def work():  # as forecasts and planners do: large arrays that go, beside small ones that stay
-    for number in range(40):
+    for number in range(12):
         large = [np.ones(rng.integers(2**18, 2**20)) for _ in range(4)]
         kept.append(np.ones(100))
 rng, kept = np.random.default_rng(1), []

@@ -15,6 +15,7 @@ from game.world.files.settings import Settings
 from game.world.looks.view import View
 from game.world.scenes import scene
 from game.world.scenes.scene import scene_names
+from tests.sweeps import sweep
 
 DESKTOPS = (640, 480), (1280, 720), (1280, 800), (1920, 1080), (2560, 1440), (3840, 2160), (7680, 4320)
 load_scene = cache(scene.load_scene)  # which takes longer than to lay one out
@@ -22,7 +23,7 @@ SCENES = [name for name in scene_names() if name != "fullhd"]
 
 
 @pytest.mark.parametrize("desktop", DESKTOPS)
-@pytest.mark.parametrize("name", scene_names())
+@sweep("name", scene_names(), keep=["hourglass", "fullhd", "city"])
 def test_the_window_and_its_decorations_fit_every_desktop(name, desktop):
     width, height = first_size(load_scene(name), Theme(1.0), desktop)
     assert width <= desktop[0] - 16 and height <= desktop[1] - 64

@@ -10,6 +10,7 @@ import pygame
 import pytest
 
 from game.play.window.window import Window
+from tests.sweeps import sweep
 
 
 @pytest.mark.parametrize("bits", [15, 16])
@@ -67,7 +68,7 @@ def test_the_class_of_the_window_is_the_name_of_the_program():
 
 
 @pytest.mark.skipif(not shutil.which("Xvfb"), reason="needs Xvfb")
-@pytest.mark.parametrize("bits", [15, 16])
+@sweep("bits", [15, 16], keep=[16])
 def test_on_a_screen_of_few_colours_all_is_drawn(bits):
     script = (
         "import pygame; from tests.play.player import Player; player = Player(size=(700, 500))\n"

@@ -14,6 +14,7 @@ from game.study.exact.markov_chain import EVENTS, SCHEDULES, explore
 from game.study.exact.trials import PROBABILITIES
 from game.world.rules import rule
 from tests import reference
+from tests.sweeps import sweep
 
 HALF = (0.5,) * 2 + (1.0,) * 5
 SEVEN = PROBABILITIES["seven different"]
@@ -72,7 +73,7 @@ def test_a_grain_at_the_left_edge_falls_in_every_iteration():
 
 
 @pytest.mark.parametrize("schedule", SCHEDULES)
-@pytest.mark.parametrize("name", ["tower", "ledges", "walls in every role"])
+@sweep("name", ["tower", "ledges", "walls in every role"], keep=["tower", "ledges"])
 def test_float_chances_are_those_in_fractions(name, schedule):
     found = explore(LATTICES[name], SCHEDULES[schedule])
     exact = {0: Fraction(1)}

@@ -15,6 +15,7 @@ from game.study.exact.picture_rule import PictureRule
 from game.study.exact.rule_lattices import LATTICES
 from game.world.files.paths import asset
 from tests import reference
+from tests.sweeps import sweep
 
 MOST_BLOCKS = 700  # of a rule: compared are all, as with five materials, or so many
 SEVEN = (0.35, 0.8, 0.9, 0.55, 0.15, 0.7, 0.45)
@@ -24,7 +25,7 @@ def pictures(name, chances=None):
     return PictureRule(asset("rules", f"{name}.toml"), chances)
 
 
-@pytest.mark.parametrize("name", rule_names())
+@sweep("name", rule_names(), keep=["sand", "water-and-oil", "three-sands"])
 def test_it_reads_what_the_plain_twin_reads(name):
     chances = {each: 0.1 + 0.03 * number for number, each in enumerate(pictures(name).chances)}
     chances |= {each: 0.2 for each in ("smoulder", "die") if each in chances}
@@ -104,7 +105,7 @@ def test_a_lattice_with_too_many_states_for_a_number_is_refused():
         PictureChain(["." * 17], pictures("alchemy"), SCHEDULES["paper"])
 
 
-@pytest.mark.parametrize("name", LATTICES)
+@sweep("name", LATTICES, keep=["water-and-oil", "three-sands"])
 def test_the_lattices_come_to_every_event_of_their_rule_that_its_materials_can_have(name):
     rule = pictures(name)
     missing = {event.name for event in rule.events}

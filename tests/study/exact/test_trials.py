@@ -11,6 +11,7 @@ from game.study.exact.chi_square import FEWEST, compare, poisson_p_value, smalle
 from game.study.exact.lattices import LATTICES
 from game.study.exact.tiled_worlds import sand_and_walls, stacked_states, tiled_states
 from game.study.exact.trials import PATHS, PROBABILITIES, SCHEDULES, Trial, chain_of, most_uncertain, trials
+from tests.sweeps import sweep
 
 RUNS = 3000
 
@@ -20,7 +21,7 @@ def state_of(cells):
 
 
 @pytest.mark.parametrize("name", LATTICES)
-@pytest.mark.parametrize("schedule", SCHEDULES)
+@sweep("schedule", SCHEDULES, keep=["balanced"])
 def test_certain_copies_in_stacks_are_the_lattice_by_itself(name, schedule):
     sand, walls = sand_and_walls(LATTICES[name])
     for iterations in (0, 1, 6):

@@ -117,7 +117,7 @@ def rule_files(draw):
 
 
 @given(text=rule_files())
-@settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+@settings(max_examples=25, deadline=None, suppress_health_check=list(HealthCheck))
 def test_any_rule_is_what_its_pictures_say(text, tmp_path_factory):
     path = tmp_path_factory.mktemp("rules") / "any.toml"
     path.write_text(text, encoding="utf-8")

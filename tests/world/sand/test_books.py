@@ -10,6 +10,7 @@ from game.world.sand.fixtures import Fixture
 from game.world.sessions.action import Clear, Draw, Fill, Flip, Paint, Paste, Resize, SetFixtures, Turn, perform
 from game.world.sessions.moment import account_of
 from tests.cells import strewn
+from tests.sweeps import sweep
 from tests.world.random_sessions import stamp_of
 
 
@@ -73,7 +74,7 @@ def random_act(rule, generator):
     return acts[generator.integers(len(acts))]
 
 
-@pytest.mark.parametrize("number", range(3))
+@sweep("number", range(3), keep=[0])
 def test_the_account_balances_after_acts_taps_and_drains(rule, number):
     generator = np.random.default_rng(number)
     world = strewn(rule, number, 50, 66, lumps=2)

@@ -12,6 +12,7 @@ from game.world.sand import ensemble as forecast
 from game.world.sand.ensemble import Cancelled, counts_at, states_at
 from game.world.sand.fixtures import Fixture
 from tests.cells import random_world, strewn, world_of
+from tests.sweeps import sweep
 
 SEVEN = Rule(0.9, 0.2, 0.7, 0.55, 0.35, 0.618, 0.15, "balanced")
 PILE = world_of(["..oooo...", "..oooo...", "#.oooo..#", "#.oo#....", ".........", "....#...."])
@@ -204,7 +205,7 @@ def test_moments_rise_and_states_are_of_small_lattices():
         states_at(big, Rule(), [1])
 
 
-@pytest.mark.parametrize("rule", [Rule(schedule="balanced"), Rule.with_p(0.6, "balanced")])
+@sweep("rule", [Rule(schedule="balanced"), Rule.with_p(0.6, "balanced")], keep=[Rule.with_p(0.6, "balanced")])
 def test_taps_and_drains_act_in_every_run(rule):
     world = random_world(np.random.default_rng(4), 20, 26, sand=0.3, walls=0.1)
     world.fixtures = Fixture("tap", 3, 2, 5, 1, 3), Fixture("drain", -2, 15, 20, 3, 2), Fixture("tap", 24, 0, 9, 1, 5)
@@ -220,7 +221,11 @@ def test_taps_and_drains_act_in_every_run(rule):
     assert found[:, 3:8].any() and (found[world.walls] == 0).all()
 
 
-@pytest.mark.parametrize(("name", "of"), [("water-and-oil", "water"), ("alchemy", "water"), ("rolling-sand", "sand")])
+@sweep(
+    ("name", "of"),
+    [("water-and-oil", "water"), ("alchemy", "water"), ("rolling-sand", "sand")],
+    keep=[("water-and-oil", "water")],
+)
 def test_runs_of_any_rule_agree_with_single_worlds_within_error_bars(name, of):
     rule, alone, runs = load_rule(name), 300, 4000
     world = strewn(rule, 6, 20, 26, lumps=2)

@@ -13,7 +13,7 @@ from game.world.sand.erasing import is_in_figure, is_under_brush
 from game.world.sand.fixtures import DRAIN, Fixture
 from game.world.sessions.action import Paint, perform
 
-steady = settings(derandomize=True, deadline=None, max_examples=300)
+steady = settings(derandomize=True, deadline=None, max_examples=100)
 sides, cells = st.integers(1, 9), st.integers(-6, 14)
 fixtures = st.builds(Fixture, st.just(DRAIN), cells, cells, sides, sides)
 halves = st.integers(-8, 30).map(lambda number: number / 2)

@@ -9,6 +9,7 @@ from game.world.rules.rule import SCHEDULES
 from game.world.sessions.action import Paint, apply
 from tests import reference
 from tests.cells import NAMES, random_world, rows_of
+from tests.sweeps import sweep
 
 SEVEN = (0.5, 0.3, 0.9, 0.8, 0.7, 0.6, 0.95)
 RULES = [Rule(*probabilities, schedule=name) for probabilities in ((1.0,) * 7, SEVEN) for name in SCHEDULES]
@@ -84,7 +85,7 @@ def test_a_neck_of_one_cell_lets_grains_through_one_by_one(rule):
     assert through > 10
 
 
-@pytest.mark.parametrize("iteration", range(8))
+@sweep("iteration", range(8), keep=[0, 3])
 def test_a_flip_at_any_phase_and_in_mid_fall_is_only_a_turn(rule, iteration):
     world = random_world(np.random.default_rng(31), 21, 131, seed=6)
     advance(world, rule, iteration)

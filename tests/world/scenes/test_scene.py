@@ -418,7 +418,7 @@ LISTS = ["[]", "{}", "[[]]", "[[0, 0], [0, 0], [0, 0]]", "[[1e-320, 0], [9, 9], 
 VALUES = st.sampled_from(NUMBERS + TEXTS + LISTS)
 
 
-@settings(steady, max_examples=150, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@settings(steady, max_examples=75, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
 def test_a_damaged_file_raises_scene_error_or_loads(tmp_path, data):
     lines = list(WHOLE)

@@ -1,7 +1,6 @@
 """Damaged files of every kind: one line or a whole session, and nothing in between. SANDGLASS_FUZZ sets how many."""
 
 import json
-import os
 import random
 
 import pytest
@@ -15,10 +14,11 @@ from game.world.sessions.recording import ReplayError, load_replay, parse
 from game.world.sessions.session import Session
 from game.world.sessions.session_format import LineWriter
 from tests.saved import load_picture, recording_of, to_bytes
+from tests.sweeps import sweep
 from tests.world.random_sessions import SCENES
 from tests.world.sessions.test_recording import sample, values_of
 
-INPUTS = int(os.environ.get("SANDGLASS_FUZZ", "1000"))
+INPUTS = 100, 400  # in a quick run, and in a sweep
 FARTHEST = 5000  # iterations: no further is played what a file tells
 PIECES = [b"{", b"}", b"[", b"]", b'"', b",", b":", b"\n", b"\0", b"\xff", b"null", b"NaN", b"1e999", b"-1", b"9" * 400]
 VALUES = [None, True, -1, 0, 1, 2**53, 2**64, 1e308, float("nan"), "", "sand", "undo", "x" * 300, [], {}, [[]], [1, 2]]
@@ -75,10 +75,11 @@ def check_recording(recording):
         assert session.account.balanced(session.world) and not (session.world.sand & session.world.walls).any()
 
 
-def test_damaged_replays_are_told_or_kept_in_part(tmp_path):
+@sweep("inputs", INPUTS, keep=INPUTS[:1])
+def test_damaged_replays_are_told_or_kept_in_part(tmp_path, inputs):
     chance, good = random.Random(1), to_bytes(recording_of(sample()))
     outcomes = {"refused": 0, "kept in part": 0, "whole": 0}
-    for number in range(INPUTS * 2 // 5):
+    for number in range(2 * inputs):
         data = (damaged, twisted_replay)[number % 2](good, chance)
         try:
             recording, _ = parse(data, "some.sandglass")
@@ -94,11 +95,12 @@ def test_damaged_replays_are_told_or_kept_in_part(tmp_path):
         load_replay(tmp_path / "none")
 
 
-def test_damaged_journals_are_told_or_taken_up_in_part(tmp_path):
+@sweep("inputs", INPUTS, keep=INPUTS[:1])
+def test_damaged_journals_are_told_or_taken_up_in_part(tmp_path, inputs):
     chance, session, path = random.Random(2), sample(), tmp_path / "journal.sandglass"
     good = to_bytes(recording_of(session))
     good = good[: good.rindex(b"\n", 0, -1) + 1]
-    for number in range(INPUTS // 5):
+    for number in range(inputs):
         path.write_bytes((damaged, twisted_replay)[number % 2](good, chance))
         try:
             journal, recording = Journal.resume(path)
@@ -111,12 +113,13 @@ def test_damaged_journals_are_told_or_taken_up_in_part(tmp_path):
         assert kept.problem is None and len(kept.entries) == len(recording.entries)
 
 
-def test_damaged_pictures_are_told_or_loaded_whole(tmp_path):
+@sweep("inputs", INPUTS, keep=INPUTS[:1])
+def test_damaged_pictures_are_told_or_loaded_whole(tmp_path, inputs):
     chance, path = random.Random(3), tmp_path / "some.png"
     save_picture(path, Session(SCENES[2], 1))
     good, cells = path.read_bytes(), Image.open(path)
     settings = json.loads(cells.info[CHUNK])
-    for number in range(INPUTS * 2 // 5):
+    for number in range(2 * inputs):
         if number % 2:
             chunk = PngInfo()
             chunk.add_text(CHUNK, json.dumps(twisted(settings, chance)))

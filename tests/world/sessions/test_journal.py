@@ -15,9 +15,10 @@ from game.world.sessions.action import Clear, Flip, Paint, SetRule
 from game.world.sessions.journal import Journal, JournalError, finish, prune, unfinished
 from game.world.sessions.recording import Recording, load_replay
 from game.world.sessions.session import Session
+from tests.sweeps import sweep
 from tests.world.random_sessions import SCENES, state
 
-KILLS = int(os.environ.get("SANDGLASS_KILLS", "40"))
+KILLS = 20, 100  # in a quick run, and in a sweep
 FRAME_NS = 16_666_667
 DOT = Paint("sand", (5.0, 5.0), (9.0, 5.0), 4)
 
@@ -90,12 +91,13 @@ def _die(seed, pipe):
         os.write(pipe, number.to_bytes(4, "little"))
 
 
+@sweep("kills", KILLS, keep=KILLS[:1])
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="kills a forked process")
-def test_every_session_killed_at_a_random_moment_recovers_to_its_last_act(folder):
+def test_every_session_killed_at_a_random_moment_recovers_to_its_last_act(folder, kills):
     warm = Session(SCENES[1])
     for command, _ in zip(acts_of(0), range(40), strict=False):
         obey(warm, command)
-    for seed in range(KILLS):
+    for seed in range(kills):
         told = _acts_before_death(seed)
         paths = list(folder.glob("*.sandglass"))
         if paths:

@@ -15,6 +15,7 @@ from game.world.sessions.run_out import at_rest, find_run_out
 from game.world.sessions.session import Session
 from tests import reference
 from tests.cells import strewn
+from tests.sweeps import sweep
 
 EMBERS = """
 layers = ["fire"]
@@ -59,7 +60,7 @@ def is_still(world, rule, pictures):
     return not any(pictures.outcomes(block) for block in blocks)
 
 
-@pytest.mark.parametrize("schedule", SCHEDULES)
+@sweep("schedule", SCHEDULES, keep=["balanced"])
 @pytest.mark.parametrize("name", rule_names())
 def test_rest_is_when_no_picture_changes_any_block(name, schedule):
     rule = some_impossible(load_rule(name).with_schedule(schedule))

@@ -13,6 +13,7 @@ from game.world.sessions.recording import Recording, load_replay, parse
 from game.world.sessions.session import Session
 from tests.cells import strewn
 from tests.saved import recording_of, to_bytes
+from tests.sweeps import swept
 from tests.world.random_sessions import (
     SCENES,
     actions_of,
@@ -51,7 +52,7 @@ OWN = {name: scene_of(name) for name in NAMES}
 PLAYS = {name: plays_with(scene) for name, scene in OWN.items()}
 
 
-@pytest.fixture(autouse=True, params=["no snapshot", "snapshots everywhere"])
+@pytest.fixture(autouse=True, params=swept(["no snapshot", "snapshots everywhere"], keep=["snapshots everywhere"]))
 def spacing(request, monkeypatch):
     """Let every law hold whatever snapshots there are, and do not wait for the disk."""
     monkeypatch.setattr(atomic.os, "fsync", lambda handle: None)
