@@ -8,11 +8,8 @@ from game.play.ui import theme as look
 from game.play.view.frame_stats import FrameTime, read
 from game.play.view.overlays.stats_card import BUSY, FULL
 from game.world.sessions.action import Paint
-<<<<<<< HEAD
 from tests.play.player import Player
-=======
 from tests.sweeps import sweep
->>>>>>> b15c84e (Keep of every law its telling cases in the default suite, and repeat it over all others in the sweep)
 
 MS = 10**6
 BUDGET_MS = 16

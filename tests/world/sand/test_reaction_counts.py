@@ -57,7 +57,7 @@ def test_every_block_that_reacts_is_counted_once(schedule, shape):
 @sweep("parts", [2, 3, 4, 99], keep=[2, 99])
 def test_the_parts_together_are_the_whole(parts):
     generator = np.random.default_rng(parts)
-    world = World.from_materials(generator.integers(0, 16, (900, 20)).astype(np.uint8), ALCHEMY, 5)
+    world = World.from_materials(generator.integers(0, 16, (1300, 20)).astype(np.uint8), ALCHEMY, 5)
     bands, meter = len(world.activity.quiet), ReactionMeter(parts)
     parts = min(parts, bands)
     assert bands > 2
