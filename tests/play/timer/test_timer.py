@@ -33,10 +33,17 @@ class Waiting(Player):
         super().__init__("hourglass", size=(700, 560))
         self.parts.sessions.open_scene(scene_of(small_glass(height)), 1)
         self.timer.clock = lambda: self.now_s
+        self.parts.commands.give("view.toggle_panel")  # a frame without it is a much shorter one
+        self.wait(0)
 
     @property
     def timer(self):
         return self.parts.timer
+
+    def unfold(self, name):
+        self.parts.commands.give("view.toggle_panel")
+        self.wait(1)
+        super().unfold(name)
 
     def start(self, seconds):
         self.timer.set(seconds)
