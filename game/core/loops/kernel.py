@@ -25,8 +25,7 @@ class Kernel:
     def __call__(self, *arguments):
         """Run on arguments: numbers, arrays, and tuples of them."""
         types, words = [], []
-        for each in arguments:
-            signature.described(each, types, words)
+        signature.describe(arguments, types, words)
         types = tuple(types)
         ready = self._ready.get(types) or self._make(types)
         return ready(words)

@@ -13,28 +13,31 @@ from game.core.loops.values import KINDS, Array, Scalar, item_of
 
 _HEAD = object.__basicsize__
 _SIDES, _STRIDES = _HEAD + 16, _HEAD + 24
-_ITEMS = {np.dtype(code).num: item_of(code) for code in "?bBhHiIlLqQfd"}
+_ITEMS = {np.dtype(code): item_of(code) for code in "?bBhHiIlLqQfd"}
 _NUMBERS = {bool: "b", np.bool_: "b", int: "i", float: "d", np.float64: "d", np.float32: "f"} | {
     np.dtype(code).type: "u" if code.isupper() else "i" for code in "bBhHiIlLqQ"
 }
 _PACKED = {"i": "q", "u": "Q", "b": "q", "f": "d", "d": "d"}
 
 
-def described(value, types, words):
-    """Append the types of an argument to one list, and what is handed over of it to another one."""
-    if isinstance(value, np.ndarray):
-        sides, strides, kind = value.shape, value.strides, value.dtype
-        # where the last items lie side by side, or there are no two of them, their stride does not matter
-        is_dense = not sides or strides[-1] == value.itemsize or sides[-1] < 2
-        types.append((kind.num if kind.isnative else kind.str, len(sides), is_dense))
-        words.append(id(value))
-    elif isinstance(value, tuple):
-        types += type(value), len(value)
-        for each in value:
-            described(each, types, words)
-    else:
-        types.append(_NUMBERS[type(value)])
-        words.append(value)
+def describe(values, types, words):
+    """Append the types of arguments to one list, and what is handed over of them to another one."""
+    for value in values:
+        kind = type(value)
+        if kind in _NUMBERS:
+            types.append(_NUMBERS[kind])
+            words.append(value)
+        elif isinstance(value, np.ndarray):
+            strides = value.strides
+            # where the last items lie side by side, or there are no two of them, their stride does not matter
+            is_dense = not strides or strides[-1] == value.itemsize or value.shape[-1] < 2
+            types.append((value.dtype, len(strides), is_dense))
+            words.append(id(value))
+        elif isinstance(value, tuple):
+            types += kind, len(value)
+            describe(value, types, words)
+        else:
+            raise TypeError(f"a kernel takes no {kind.__name__}")
 
 
 def as_text(types):
@@ -42,10 +45,10 @@ def as_text(types):
     parts = []
     for each in types:
         if type(each) is tuple:
-            number, axes, is_dense = each
-            if number not in _ITEMS:
-                raise TypeError(f"a kernel takes no items of type {number}")
-            parts.append(f"{_ITEMS[number]}[{axes}{'' if is_dense else ' apart'}]")
+            dtype, axes, is_dense = each
+            if dtype not in _ITEMS:
+                raise TypeError(f"a kernel takes no items of type {dtype}")
+            parts.append(f"{_ITEMS[dtype]}[{axes}{'' if is_dense else ' apart'}]")
         else:
             parts.append(each.__name__ if isinstance(each, type) else str(each))
     return " ".join(parts)
@@ -79,7 +82,7 @@ def _argument(writer, kind, remaining, places):
     return Scalar(kind, writer.new(f"load {KINDS[kind]}, ptr {place}"))
 
 
-def _array(writer, found, number, axes, is_dense):
+def _array(writer, found, dtype, axes, is_dense):
     """Write the loads of what is known of an array object."""
 
     def numbers(offset, count):
@@ -88,7 +91,7 @@ def _array(writer, found, number, axes, is_dense):
         return tuple([writer.new(f"load i64, ptr {place}") for place in places])
 
     sides, strides = numbers(_SIDES, axes), numbers(_STRIDES, axes - is_dense)
-    return Array(_ITEMS[number], _member(writer, found, _HEAD), sides, strides)
+    return Array(_ITEMS[dtype], _member(writer, found, _HEAD), sides, strides)
 
 
 def _member(writer, found, offset):

@@ -216,8 +216,10 @@ def test_types_that_differ_are_compiled_apart_and_strides_of_one_item_are_not():
     assert kernel.signatures == ["i8[1]", "i8[1 apart]", "i4[1]"]
 
 
-def test_items_that_a_kernel_does_not_know_are_refused():
+def test_what_a_kernel_does_not_know_is_refused():
     kernel = kernel_of(sign)
+    with pytest.raises(TypeError, match="takes no list"):
+        kernel([1])
     for values in (np.zeros(3, np.int32).astype(">i4"), np.zeros(3, np.float16), np.zeros(3, np.complex64)):
         with pytest.raises(TypeError, match="takes no items of type"):
             kernel(values)
