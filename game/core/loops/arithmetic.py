@@ -49,6 +49,8 @@ def operate(writer, operator, left, right):
 
 
 def _power(writer, left, right):
+    if not right.name.isdigit() or int(right.name) < 1:
+        raise TypeError("an exponent is known, and 1 or more")
     result = left
     for _ in range(int(right.name) - 1):
         result = operate(writer, ast.Mult, result, left)
@@ -99,6 +101,8 @@ def compare(writer, operator, left, right):
 def invert(writer, value):
     """Return ~value of an integer."""
     value = scalar(value)
+    if value.kind not in "iu":
+        raise TypeError("only the bits of a whole number are turned over")
     return Scalar(value.kind, writer.new(f"xor i64 {value.name}, -1"))
 
 

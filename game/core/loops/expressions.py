@@ -131,11 +131,18 @@ def _choice(body, node):
 def _subscript(body, node):
     value = evaluate(body, node.value)
     if isinstance(value, np.ndarray):
-        value = Array(item_of(value.dtype), body.writer.constant(value), tuple(map(str, value.shape)), ())
+        value = Array(item_of(value.dtype), body.writer.constant(value), (str(len(value)),), ())
     if isinstance(value, Array):
         found = element(body, value, node.slice)
         return body.writer.load(found, ()) if not found.sides else found
-    return value[evaluate(body, node.slice)]
+    return items_of(value)[evaluate(body, node.slice)]
+
+
+def items_of(value):
+    """Return a tuple that is known, of what is known or not; raise TypeError for anything else."""
+    if isinstance(value, (Array, Scalar)) or not isinstance(value, tuple):
+        raise TypeError("this is no tuple")
+    return value
 
 
 def element(body, array, index):
@@ -146,6 +153,8 @@ def element(body, array, index):
     for axis, each in enumerate(indices):
         rest = Array(array.item, data, array.sides[axis:], array.strides[axis:])
         if isinstance(each, ast.Slice):
+            if each.step:
+                raise TypeError("parts of an array have no steps")
             low = evaluate(body, each.lower) if each.lower else 0
             side = Scalar("i", array.sides[axis])
             high = arithmetic.extreme(writer, (evaluate(body, each.upper), side), False) if each.upper else side
@@ -154,12 +163,17 @@ def element(body, array, index):
             strides += array.strides[axis : axis + 1]
             data = writer.address(rest, [low]).data
         else:
-            data = writer.address(rest, [evaluate(body, each)]).data
+            at = evaluate(body, each)
+            if is_known(at) and at < 0:
+                raise TypeError("an index is counted from the start")
+            data = writer.address(rest, [at]).data
     count = len(indices)
     return Array(array.item, data, (*sides, *array.sides[count:]), (*strides, *array.strides[count:]))
 
 
 def _call(body, node):
+    if node.keywords:
+        raise TypeError("arguments have no names here")
     function = evaluate(body, node.func)
     arguments = [evaluate(body, each) for each in node.args]
     if isinstance(function, tuple):
@@ -182,9 +196,9 @@ def cast(writer, value, item):
 
 
 def _length(writer, value):
-    if isinstance(value, (Array, np.ndarray)):
-        return Scalar("i", value.sides[0]) if isinstance(value, Array) else len(value)
-    return len(value)
+    if isinstance(value, Array):
+        return Scalar("i", value.sides[0])
+    return len(value if isinstance(value, np.ndarray) else items_of(value))
 
 
 def _room(writer, sides, dtype):

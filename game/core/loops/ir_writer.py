@@ -1,6 +1,6 @@
 """Writes a function as LLVM IR: instructions, blocks, and conversions between kinds of numbers."""
 
-from game.core.loops.values import KINDS, STORED, Array, Scalar, kind_of, scalar, size_of
+from game.core.loops.values import KINDS, STORED, Array, Scalar, item_of, kind_of, scalar, size_of
 
 _HEAD = """declare ptr @sandglass_calloc(i64, i64)
 declare void @sandglass_free(ptr)
@@ -66,7 +66,9 @@ class Writer:
 
     def constant(self, array):
         """Return the address of a small array that is known."""
-        item = STORED[array.dtype.str[1:]]
+        if array.ndim != 1 or array.dtype.kind not in "iu":
+            raise TypeError("a known array holds whole numbers, in one row")
+        item = STORED[item_of(array.dtype)]
         listed = ", ".join(f"{item} {int(each)}" for each in array.ravel())
         text = f"private unnamed_addr constant [{array.size} x {item}] [{listed}], align 64"
         return self.globals.setdefault(text, f"@g{len(self.globals)}")

@@ -7,7 +7,7 @@ import textwrap
 from functools import cache
 
 from game.core.loops import arithmetic
-from game.core.loops.expressions import binary, element, evaluate, is_known
+from game.core.loops.expressions import binary, element, evaluate, is_known, items_of
 from game.core.loops.values import Array, Scalar, leaves, like, rebuilt, scalar, shape
 
 
@@ -121,6 +121,8 @@ class Body:
             if self.writer.closed:
                 return
             try:
+                if isinstance(each, (ast.For, ast.While)) and each.orelse:
+                    raise TypeError("loops have no else here")
                 _STATEMENTS[type(each)](self, each)
             except NotCompilableError:
                 raise
@@ -143,7 +145,7 @@ class Body:
         else:
             if isinstance(value, Array):
                 value = [self._item(value, place) for place in range(len(target.elts))]
-            for each, part in zip(target.elts, value, strict=True):
+            for each, part in zip(target.elts, value if isinstance(value, list) else items_of(value), strict=True):
                 self._assign_to(each, part)
 
     def _item(self, array, place):
@@ -165,6 +167,8 @@ class Body:
             self._set(node.target.id, binary(self.writer, kind, self.value_of(node.target.id), value))
             return
         found = element(self, evaluate(self, node.target.value), node.target.slice)
+        if found.sides:
+            raise TypeError("only one item is changed at a time")
         self.writer.store(found, (), binary(self.writer, kind, self.writer.load(found, ()), value))
 
     def _express(self, node):
@@ -204,7 +208,7 @@ class Body:
             next(turns, None)
             return
         end = self.writer.label()
-        for item in evaluate(self, call):
+        for item in items_of(evaluate(self, call)):
             after = self.writer.label()
             self._loops.append((after, end))
             self._assign_to(node.target, item)

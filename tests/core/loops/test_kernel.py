@@ -14,6 +14,7 @@ from game.core.loops.kernel import Kernel
 from game.core.loops.statements import NotCompilableError
 
 KNOWN = np.array([3, 1, 2], np.uint8)
+TABLE = np.zeros((2, 2))
 STEPS = (1, 2), (3, 4)
 ONE = np.uint64(1)
 
@@ -262,6 +263,58 @@ def divided(a, b):
     return a // b
 
 
+def each_item(a):
+    for x in a:
+        return x
+
+
+def length_of_a_number(a):
+    return len(a)
+
+
+def part_of_a_number(a):
+    return a[0]
+
+
+def steps(a):
+    return a[::2].size
+
+
+def last(a):
+    return a[-1]
+
+
+def row_changed(a):
+    a[0] += 1
+
+
+def no_break(a):
+    for x in range(a):
+        a += x
+    else:
+        a = 0
+    return a
+
+
+def early(a):
+    for k in range(a):
+        a += later if k else 1  # noqa: F821
+        later = k  # noqa: F841
+    return a
+
+
+def no_power(a):
+    return a**0 + a**-1
+
+
+def turned_over(a):
+    return ~(a > 1)
+
+
+def table(a):
+    return TABLE[a, 0]
+
+
 @pytest.mark.parametrize(
     ("function", "arguments", "line"),
     [
@@ -270,6 +323,17 @@ def divided(a, b):
         (unknown, (np.zeros(3),), "return sorted"),
         (listed, (np.zeros(3),), "return [each"),
         (divided, (1, ONE), "return a // b"),
+        (each_item, (np.zeros(3),), "for x in a"),
+        (length_of_a_number, (1,), "return len(a)"),
+        (part_of_a_number, (1,), "return a[0]"),
+        (steps, (np.zeros(3),), "return a[::2]"),
+        (last, (np.zeros(3),), "return a[-1]"),
+        (row_changed, (np.zeros((2, 2)),), "a[0] += 1"),
+        (no_break, (3,), "for x in range(a)"),
+        (early, (3,), "a += later"),
+        (no_power, (3,), "return a**0"),
+        (turned_over, (3,), "return ~"),
+        (table, (1,), "return TABLE"),
     ],
 )
 def test_what_cannot_be_compiled_is_said_with_its_place(function, arguments, line):
