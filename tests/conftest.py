@@ -7,6 +7,8 @@ import uuid
 from pathlib import Path
 
 import pytest
+from numba.core.compiler_lock import global_compiler_lock
+from numba.core.dispatcher import Dispatcher
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
@@ -15,6 +17,24 @@ if sys.dont_write_bytecode:  # then every process would compile every module ane
     sys.dont_write_bytecode, sys.pycache_prefix = False, str(Path(tempfile.gettempdir(), "sandglass-bytecode"))
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
+
+try:
+    import fcntl
+except ImportError:  # Windows: kernels may be compiled twice there
+    fcntl = None
+
+
+def compile_once(dispatcher, signature, compile_it=Dispatcher.compile):
+    """Compile the stepping while tests in other processes that need it wait, and then find it among what is kept."""
+    if fcntl is None or dispatcher.py_func.__module__ != "game.core.step":
+        return compile_it(dispatcher, signature)
+    path = Path(tempfile.gettempdir(), f"{dispatcher.py_func.__name__}.lock")
+    with global_compiler_lock, open(path, "w") as lock:  # in this order, or two threads would wait for each other
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        return compile_it(dispatcher, signature)
+
+
+Dispatcher.compile = compile_once
 
 
 @pytest.fixture(autouse=True)

@@ -89,7 +89,13 @@ def trouble():
 def kernel(function):
     """Compile `function` when first called, and keep the machine code between runs; it runs without the lock."""
     name = function.__name__
-    made = Kernel(function, lambda key, make: kept(f"{key} {machine()} {features()}", make, f"{name}-", "kernel"))
+    return noted(
+        Kernel(function, lambda key, make: kept(f"{key} {machine()} {features()}", make, f"{name}-", "kernel"))
+    )
+
+
+def noted(made):
+    """Count a kernel among those that `ready` tells of, and return it."""
     _kernels.append(made)
     return made
 
@@ -106,22 +112,39 @@ def kept(key, make, start="", kind="rule"):
     key: a text that, with the sources of this floor and the versions beneath it, decides all. start, kind: how the name
     of its file begins and ends; "rule" and "kernel" are the kinds.
     """
-    path = _FOLDER and Path(_FOLDER, f"{start}{hashlib.sha256(key.encode()).hexdigest()[:20]}.{kind}")
-    try:
-        if path:
-            return pickle.loads(read_sealed(path))
-    except FileNotFoundError:
-        pass
-    except Exception as error:  # whatever pickle trips over
-        _note(path, f"cannot read a compiled {kind}", error)
+    before = read(key, pickle.loads, start, kind)
+    if before is not None:
+        return before
     made = make()
+    keep(key, lambda: pickle.dumps(made), start, kind)
+    return made
+
+
+def read(key, load, start="", kind="rule"):
+    """Return what load() makes of the bytes kept for a key, or None where there are none that it can use."""
+    path = _path(key, start, kind)
+    try:
+        return load(read_sealed(path)) if path else None
+    except FileNotFoundError:
+        return None
+    except Exception as error:  # whatever pickle and LLVM trip over
+        _note(path, f"cannot read a compiled {kind}", error)
+        return None
+
+
+def keep(key, dump, start="", kind="rule"):
+    """Keep the bytes that dump() returns for a key, if that is possible."""
+    path = _path(key, start, kind)
     try:
         if path:
-            write_sealed(path, pickle.dumps(made))
+            write_sealed(path, dump())
             _drop_oldest(path.parent)
     except OSError as error:
         _note(path, f"cannot keep a compiled {kind}", error)
-    return made
+
+
+def _path(key, start, kind):
+    return _FOLDER and Path(_FOLDER, f"{start}{hashlib.sha256(key.encode()).hexdigest()[:20]}.{kind}")
 
 
 def _drop_oldest(folder):

@@ -5,11 +5,14 @@ all cells have one code, and every cell is in a block in every iteration: where 
 starts with one whose left corners are outside, where they start in an odd row so does the lattice with its upper ones.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 from game.core.chance import iteration_key, seed_stream
-from game.core.jit import gate, kernel
+from game.core.jit import gate
 from game.core.loops.calls import call_pass
+from game.core.numba_jit import numba_kernel
 from game.core.planes import LINE
 
 BAND = 512  # words of blocks in a band, about: with less, calls cost more than work; with more, less can be skipped
@@ -42,14 +45,14 @@ def close_seams(planes, upper, lower, rows, stride):
 
 
 @gate
-def run_rows(run, planes, length, stride, y, x, upper, lower, rows, row, key, room):
+def run_rows(run, planes, length, stride, y, x, upper, lower, rows, row, key, room, at):
     """Run one iteration on rows of blocks, in place; return what the pass does.
 
     y, x: the partition's offset. upper, lower: the plane rows of the upper and of the lower corners of the first row of
-    blocks, which is number `row` of the partition. room: see `room_for`.
+    blocks, which is number `row` of the partition. room: see `rooms_for`. at: (4·bits,) int64, room.
     """
     address, outside, changing, chances = run
-    at, may, origin = room
+    may, origin = room
     bits = len(outside)
     above, below = (2 * y) * length + upper * stride, (2 - 2 * y) * length + lower * stride
     for bit in range(bits):
@@ -79,26 +82,23 @@ def open_lasting_seams(run, planes, length, stride, first, rows):
             open_seams(planes, start, start + 2 * length, rows, stride, outside[bit])
 
 
-@gate
-def room_for(rows, stride, bits):
-    """Return working memory for rows of blocks: (`at`, `may` by x, `origin`) as a pass wants them.
+@lru_cache(maxsize=16)
+def rooms_for(rows, stride):
+    """Return `may` by x and `origin` for bands of so many rows of blocks, and for one row, as a pass wants them.
 
-    The seam is no block where x is even. Where it is odd the first bit of a row's first word is the block that is half
-    outside on the left.
+    Each is only to be read. The seam is no block where x is even. Where it is odd the first bit of a row's first word
+    is the block that is half outside on the left.
     """
-    size = rows * stride
-    at, may, origin = (
-        np.empty(4 * bits, np.int64),
-        np.zeros((2, size + LINE), np.uint64),
-        np.zeros(size + LINE, np.uint64),
-    )
-    for i in range(size):
-        may[0, i] = may[1, i] = _FULL
-        origin[i] = np.uint64(i) * _STEP
-    for first in range(0, size, stride):
-        may[0, first + stride - 1] = _ZERO
-        may[1, first] = _ONE
-    return at, may, origin
+    return tuple(_room_for(number * stride, stride) for number in (rows, 1))
+
+
+def _room_for(size, stride):
+    may, origin = np.zeros((2, size + LINE), np.uint64), np.zeros(size + LINE, np.uint64)
+    may[:, :size] = _FULL
+    may[0, stride - 1 : size : stride] = 0
+    may[1, :size:stride] = 1
+    origin[:size] = np.arange(size, dtype=np.uint64) * _STEP
+    return may, origin
 
 
 @gate
@@ -108,45 +108,53 @@ def is_still(quiet, band):
     return quiet[above] >= CYCLE and quiet[band] >= CYCLE and quiet[below] >= CYCLE
 
 
-@kernel
-def advance_planes(planes, shape, run, edges, quiet, changed, stamp, offsets, seed, iteration, iterations):
+def advance_planes(planes, shape, run, edges, bands, stamp, offsets, seed, iteration, iterations):
     """Run a batch of iterations in place.
 
     planes: all of them, flat: four for each bit of a cell. shape: (words in a plane, plane rows, stride, plane rows in
-    a band). run, edges: see `Pass`. quiet, changed: a value for each band, see `ActiveBands`; what stirs is stamped.
-    offsets: (x, y) of the first iterations, repeated. seed, iteration: uint64.
+    a band). run, edges: see `Pass`. bands: `quiet` and `changed`, a value for each band, see `ActiveBands`; what stirs
+    is stamped. offsets: (x, y) of the first iterations, repeated. seed, iteration: uint64.
+    """
+    _, _, stride, band_rows = shape
+    bits, quiet = len(run[1]), bands[0]
+    room = *rooms_for(band_rows, stride), np.empty(4 * bits, np.int64), np.zeros(len(quiet), np.bool_)
+    skew = max(1, IN_CACHE // (4 * bits * band_rows * stride))
+    advance_bands(planes, shape, run, edges, bands, stamp, offsets, seed, iteration, iterations, skew, room)
+
+
+@numba_kernel
+def advance_bands(planes, shape, run, edges, bands, stamp, offsets, seed, iteration, iterations, skew, room):
+    """Run a batch of iterations in place, `skew` of them at a time; room: memory for it. The rest: `advance_planes`.
 
     Iterations are skewed: a band runs through several of them while it is in the cache, each one band further up than
     the one before, since what happens in a band depends on that band and the one below, an iteration earlier.
     """
     length, rows, stride, band_rows = shape
     top, bottom = edges
-    bits = len(run[1])
-    room_here, room_above = room_for(band_rows, stride, bits), room_for(1 if top else 0, stride, bits)
-    skew = max(1, IN_CACHE // (4 * bits * band_rows * stride))
-    stream, bands = seed_stream(seed), len(quiet)
-    opened = np.zeros(bands, np.bool_)
+    quiet, changed = bands
+    room_here, room_above, at, opened = room
+    stream = seed_stream(seed)
     for start in range(0, iterations, skew):
         depth = min(skew, iterations - start)
-        for front in range(bands + depth - 1):
-            for k in range(max(0, front - bands + 1), min(depth, front + 1)):
+        for front in range(len(quiet) + depth - 1):
+            for k in range(max(0, front - len(quiet) + 1), min(depth, front + 1)):
                 band = front - k
                 if is_still(quiet, band):
                     continue
                 t = start + k
-                x, y = offsets[t % len(offsets)]
+                x, y = offsets[t % len(offsets), 0], offsets[t % len(offsets), 1]
                 key = iteration_key(stream, iteration + np.uint64(t))
                 row = band * band_rows
                 here = min(band_rows, rows - row - (0 if bottom else y))
                 if x and not opened[band]:
                     open_lasting_seams(run, planes, length, stride, row, min(band_rows + 1, rows - row))
                     opened[band] = True
-                upper, lower, number, room, told = row, row + y, row, room_here, 0
-                for _ in range(2 if top and y and band == 0 else 1):  # a loop: to compile the work twice takes seconds
+                upper, lower, number, own, told = row, row + y, row, room_here, 0
+                for _ in range(2 if top and y and band == 0 else 1):  # a loop: to compile the work twice takes longer
                     if here > 0:
-                        told |= run_rows(run, planes, length, stride, y, x, upper, lower, here, number, key, room)
+                        told |= run_rows(run, planes, length, stride, y, x, upper, lower, here, number, key, own, at)
                     # then the row of blocks that is half above the lattice
-                    upper, lower, number, room, here = rows, 0, -1, room_above, 1
+                    upper, lower, number, own, here = rows, 0, -1, room_above, 1
                 if told:
                     quiet[band] = 0
                     changed[band] = stamp

@@ -13,7 +13,7 @@ def line():
         f"{_processor()}, {os.cpu_count()} cores, caches {caches}",
         f"{platform.system()} {platform.machine()}",
         f"Python {platform.python_version()}",
-        *(f"{name} {version(name)}" for name in ("numpy", "llvmlite")),
+        *(f"{name} {version(name)}" for name in ("numpy", "numba")),
         *([f"load {os.getloadavg()[0]:.1f}"] if hasattr(os, "getloadavg") else []),
     )
     return "; ".join(parts)

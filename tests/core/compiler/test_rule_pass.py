@@ -39,7 +39,7 @@ class Lattice:
         offsets = np.roll(np.array(SCHEDULES[schedule]), -iteration, axis=0)
         where, bands = self.where, self.bands
         shape = where.length, where.rows, where.stride, bands.band_rows
-        told = bands.quiet, bands.changed, 1, offsets, np.uint64(seed), np.uint64(iteration), iterations
+        told = (bands.quiet, bands.changed), 1, offsets, np.uint64(seed), np.uint64(iteration), iterations
         advance_planes(self.planes.reshape(-1), shape, moving.run, moving.edges, *told)
 
 
