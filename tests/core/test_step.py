@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from game import Rule, World, advance
+from game.world.sessions.action import Draw, apply
 from tests import reference
 from tests.cells import NAMES, coloured, random_world, rows_of
 
@@ -173,3 +174,18 @@ def test_the_bits_are_the_same_on_every_machine(rule, golden):
     world = World.from_cells(((x * 7 + y * 3) % 5 < 2) & ~walls, walls, seed=2020)
     advance(world, rule, 200)
     assert world.digest() == golden
+
+
+def test_what_rests_on_a_band_that_stirs_again_falls():
+    walls = np.zeros((1300, 6), bool)
+    walls[:, [0, 2, 3, 5]] = walls[800, :] = walls[-1, :] = True  # two shafts, half way down a floor
+    sand = np.zeros_like(walls)
+    sand[300:800, [1, 4]] = True
+    world = World.from_cells(sand, walls, seed=3)
+    band = 2 * world.activity.band_rows
+    assert 300 < band < 700, "the sand lies in the first band and in the second, which has the floor"
+    advance(world, Rule(), 40)
+    assert world.activity.settled
+    apply(Draw("rectangle", "erase", (1.0, 800.0), (4.0, 800.0), over_walls=True), world, Rule())
+    advance(world, Rule(), 3000)
+    assert world.sand[-501:-1, [1, 4]].all() and world.grains == 1000

@@ -13,7 +13,7 @@ def swatch_of(colours, material):
         return look.SUNKEN
     if material.name == WALL_NAME:
         return look.STONE
-    return colours.swatch(0) if material.name == SAND_NAME else material.colour
+    return colours.swatch(0) if material.name == SAND_NAME else colours.apart(material.colour)
 
 
 def swatches_of(colours, materials):

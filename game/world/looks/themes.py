@@ -117,14 +117,21 @@ class Colours(NamedTuple):
         if look.substance.translucent and look.shape not in (GAS, GAS_INSIDE):
             return self._translucent(look)
         if look.shape not in (GAS, GAS_INSIDE):
-            return _material(_apart(look.substance.colour, self.air[AIR].dark), look.shape)
+            return _material(self.apart(look.substance.colour), look.shape)
         behind = self.air[AIR if look.shape == GAS else INSIDE]
         return Range(*(_mixed(look.substance.colour, each, GAS_COVERS) for each in behind))
+
+    def apart(self, colour):
+        """Return a colour that can be told from the air: one too near to it is moved from it, darker or lighter."""
+        air = self.air[AIR].dark
+        if max(abs(part - other) for part, other in zip(colour, air, strict=True)) >= APART:
+            return colour
+        return _lit(colour, -MOVED if sum(air) > 3 * 128 else MOVED)
 
     def _translucent(self, look):
         """Return the Range of a Look of what is translucent: less of what is behind shows where light falls on it."""
         air = self.air[AIR].dark
-        colour = _apart(look.substance.colour, air)
+        colour = self.apart(look.substance.colour)
         if look.shape in (SURFACE, RIM, LIQUID_SURFACE):
             return _material(colour, look.shape)
         ends = zip(_material(colour, look.shape), CLEAR_COVERS, strict=True)
@@ -163,13 +170,6 @@ def substances_of(materials):
 
 def _material(colour, shape):
     return Range(*(_lit(colour, by) for by in LIGHT[shape]))
-
-
-def _apart(colour, air):
-    """Return a colour that can be told from the air: one too near to it is moved away from that, darker or lighter."""
-    if max(abs(part - other) for part, other in zip(colour, air, strict=True)) >= APART:
-        return colour
-    return _lit(colour, -MOVED if sum(air) > 3 * 128 else MOVED)
 
 
 def _lit(colour, by):

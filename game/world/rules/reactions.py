@@ -7,6 +7,8 @@ from typing import NamedTuple
 from game.world.rules.dials import picture_of
 from game.world.rules.events import OwnNumber
 
+COUNTS = {2: "two", 3: "three", 4: "four"}
+
 
 class Reaction(NamedTuple):
     """What an event does with a material."""
@@ -77,7 +79,7 @@ def _told(told, event, cells, mine, known):
     after = Counter(_named(told, event, cell[1], known) for cell in cells)
     air = told.materials[0].name
     left = {name: number for name, number in after.items() if name != air} or {"nothing": 1}
-    made = _listed(name if number == 1 else f"{name} twice" for name, number in left.items())
+    made = _listed(name if number == 1 else f"{COUNTS[number]} cells of {name}" for name, number in left.items())
     return f"with {_listed(others)} becomes {made}" if others else f"by itself becomes {made}"
 
 

@@ -60,11 +60,11 @@ def test_what_the_page_tells_is_turned_there_as_one_act(player):
     player.parts.brush.material = "plant"
     player.parts.material_page.toggle()
     player.wait(1)
-    track = turnable(player)["With fire becomes fire twice"]
+    track = turnable(player)["With fire becomes two cells of fire"]
     player.drag(*((track.x + share * track.width // 8, track.centery) for share in (4, 6, 8)))
     player.settle()
     player.wait(2)
-    assert player.session.rule.chances["kindle"] == 1.0 and "With fire becomes fire twice" in player.words()
+    assert player.session.rule.chances["kindle"] == 1.0 and "With fire becomes two cells of fire" in player.words()
     player.parts.commands.give("time.undo")
     assert player.session.rule.chances["kindle"] == 0.5
 
