@@ -53,7 +53,7 @@ def arithmetic(a, b):
 
 
 def shifts(a, b):
-    return a << b, a >> b, a**3, 2 * a >> 1
+    return a << b, a >> b, a**3, 2 * a >> 1, a // 4, a % 4
 
 
 def reals(a, b):
@@ -111,6 +111,13 @@ def test_floats_are_those_of_python():
             assert kernel(a, b) == reals(a, b)
 
 
+def test_what_is_no_number_is_not_even_itself():
+    def same(a):
+        return a == a, a != a, a < a
+
+    assert kernel_of(same)(np.nan) == (False, True, False)
+
+
 def unsigned(a, b):
     return a + b, a * b, a // b, a % b, a >> ONE, a << ONE, ~a, a < b, min(a, b), np.float64(a), np.int64(a) >> 1
 
@@ -147,6 +154,21 @@ def test_items_hold_what_fits_in_their_type(kinds):
     assert (numbers == before + np.resize(KNOWN, 8) - before.astype(np.uint16)).all()
 
 
+@pytest.mark.parametrize("kind", "bBhHiIlLfd?")
+def test_items_are_read_as_they_are(kind):
+    def read(values, found):
+        for k in range(len(values)):
+            found[k] = values[k]
+
+    values, found = np.array([0, 1, 5, 100]).astype(kind), np.zeros(4)
+    if kind in "bhil":
+        values[3] = np.iinfo(kind).min
+    elif kind in "BHIL":
+        values[3] = np.iinfo(kind).max
+    kernel_of(read)(values, found)
+    assert (found == values).all()
+
+
 def parts(cells, pair, start, end):
     height, width = cells.shape
     row = cells[1]
@@ -156,7 +178,14 @@ def parts(cells, pair, start, end):
     cells[1, 0] += len(row) + cells.size
     pair.second[:] = pair.first
     x, y = pair.second
-    return x + y, cells[:, 1:].shape[1], row[0:99].size, first_above(row, 3)[0], first_above(row, 3)[1]
+    return (
+        x + y,
+        cells[:, 1:].shape[1],
+        row[0:99].size,
+        row[start:end].size,
+        first_above(row, 3)[0],
+        first_above(row, 3)[1],
+    )
 
 
 @pytest.mark.parametrize("cells", [np.arange(24).reshape(4, 6), np.arange(48).reshape(4, 12)[:, ::2]])
@@ -214,6 +243,7 @@ def test_types_that_differ_are_compiled_apart_and_strides_of_one_item_are_not():
     for values in (numbers, numbers[2:5], numbers[::2], numbers[:1:2], numbers[::-1], numbers.astype(np.int32)):
         values.flags.writeable = False
         assert kernel(values) == total(values)
+    assert kernel(np.arange(6).reshape(6, 1)[:1].T[0]) == 0 and kernel(np.arange(9)[::5][:1]) == 0
     assert kernel.signatures == ["i8[1]", "i8[1 apart]", "i4[1]"]
 
 
