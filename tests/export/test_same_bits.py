@@ -140,7 +140,7 @@ def check(rule, libraries, worlds):
             assert [each.name() for each in copies] == [world.digest()] * len(copies), (shape, schedule)
 
 
-@pytest.mark.parametrize("name", ["sand", "water-and-oil"])
+@sweep("name", ["sand", "water-and-oil"], keep=["water-and-oil"])
 def test_a_shipped_rule_has_the_same_bits_in_c(name):
     check(load_rule(name), [library(name, build) for build in builds()], worlds=20)
 

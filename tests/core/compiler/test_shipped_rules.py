@@ -3,7 +3,6 @@
 from dataclasses import replace
 
 import numpy as np
-import pytest
 
 from game import World, advance, load_rule, rule_names
 from game.core import jit
@@ -12,9 +11,10 @@ from game.core.compiler.rule_pass import pass_of
 from game.world.files.paths import asset
 from tests import reference
 from tests.core.compiler.test_rule_pass import Lattice
+from tests.sweeps import sweep
 
 
-@pytest.mark.parametrize("name", rule_names())
+@sweep("name", rule_names(), keep=["sand", "alchemy"])
 def test_a_lattice_goes_as_its_pictures_say(name):
     rule, twin = load_rule(name), reference.Pictures(asset("rules", f"{name}.toml"))
     letters = np.array([each.letter for each in rule.definition.materials])

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import World
@@ -14,7 +14,6 @@ from game.core.paint.strokes import DIAMOND, ROUND, SQUARE
 from game.world.sand.material_codes import EMPTY, SAND, WALL
 from tests.cells import joined_to, random_world
 
-steady = settings(derandomize=True, deadline=None, max_examples=30)
 HEIGHT, WIDTH = 23, 147
 places = st.tuples(st.floats(-6, WIDTH + 6), st.floats(-6, HEIGHT + 6))
 columns, rows = st.integers(-5, WIDTH + 5), st.integers(-5, HEIGHT + 5)
@@ -53,7 +52,6 @@ def reached_by(act):
 
 
 @pytest.mark.parametrize("shape", REACH)
-@steady
 @given(start=places, end=places, diameter=st.integers(1, 12))
 def test_a_stroke_is_the_brush_at_each_place_of_a_line(shape, start, end, diameter):
     cells = reached_by(lambda world, ink: world.stroke(start, end, diameter, shape, ink))
@@ -68,7 +66,6 @@ def test_a_stroke_is_the_brush_at_each_place_of_a_line(shape, start, end, diamet
 
 
 @pytest.mark.parametrize("kind", [RECTANGLE, ELLIPSE])
-@steady
 @given(left=columns, top=rows, width=st.integers(1, 60), height=st.integers(1, 30), edge=st.integers(0, 4))
 def test_a_figure_is_what_lies_inside_its_outline_and_not_inside_a_smaller_one(kind, left, top, width, height, edge):
     def inside(x, y, inwards):
@@ -84,7 +81,6 @@ def test_a_figure_is_what_lies_inside_its_outline_and_not_inside_a_smaller_one(k
         assert cells[y, x] == (inside(x, y, 0) and not (edge and inside(x, y, edge)))
 
 
-@steady
 @given(st.integers(0, 50), st.integers(0, WIDTH - 1), st.integers(0, HEIGHT - 1), st.floats(0.1, 0.9))
 def test_a_fill_reaches_what_is_connected_side_by_side(number, column, row, crowd):
     world = random_world(np.random.default_rng(number), HEIGHT, WIDTH, sand=crowd, walls=0.1)
@@ -108,7 +104,6 @@ def test_a_fill_reaches_the_end_of_a_corridor_however_long(length):
         assert world.grains == length
 
 
-@steady
 @given(inks, places, places)
 def test_only_the_kinds_named_take_the_ink(ink, start, end):
     world, before = strewn(), kinds_of(strewn())

@@ -141,7 +141,7 @@ def test_differences_need_worlds_side_by_side_and_follow_each_iteration(paper):
     assert not paper.parts.differences.shown and key_name("Shift+H") in paper.parts.notices.text
     paper.key(pygame.K_h, "H", SHIFT)
     paper.key(pygame.K_F7)
-    for _ in range(150):
+    for _ in range(60):
         paper.key(pygame.K_PERIOD, ".")
     paper.now_s += 10
     paper.wait(2)

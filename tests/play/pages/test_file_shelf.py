@@ -98,7 +98,7 @@ def test_a_name_becomes_a_file_that_every_system_has_room_for(name, stem):
     assert file_stem(name) == stem and len(file_stem(99 * "long ")) <= 40
 
 
-@pytest.mark.parametrize("by", ["mouse", "keyboard"])
+@sweep("by", ["mouse", "keyboard"], keep=["keyboard"])
 def test_a_saved_scene_is_renamed_and_that_can_be_taken_back(saved, by):
     def give(words, code, mod=0):
         gallery.action(words)
@@ -128,7 +128,7 @@ def test_a_name_that_is_taken_is_told_and_nothing_is_lost(saved):
     assert sorted(listed(saved)) == ["Bridge", "Castle", "anthill"] and saved.parts.gallery.shown
 
 
-@pytest.mark.parametrize("by", ["mouse", "keyboard"])
+@sweep("by", ["mouse", "keyboard"], keep=["mouse"])
 def test_what_was_deleted_is_brought_back_one_after_the_other(saved, by):
     def give(words, code, mod=0):
         saved.key(code, mod=mod) if by == "keyboard" else saved.click(gallery.action(words).center)
@@ -143,7 +143,7 @@ def test_what_was_deleted_is_brought_back_one_after_the_other(saved, by):
     assert [path.stem for path in gallery.shelf.paths] == before and gallery.action("Undo") is None
 
 
-@pytest.mark.parametrize("by", ["mouse", "keyboard"])
+@sweep("by", ["mouse", "keyboard"], keep=["mouse"])
 def test_files_are_sorted_by_age_or_by_name(saved, by):
     assert listed(saved) == ["Bridge", "anthill", "Castle"]
     gallery = saved.parts.gallery
@@ -167,7 +167,7 @@ def test_the_picture_of_a_saved_glass_shows_its_wood_and_its_light(glass):
     assert len(np.unique(pygame.surfarray.array2d(painted))) > 100
 
 
-@pytest.mark.parametrize("by", ["mouse", "keyboard"])
+@sweep("by", ["mouse", "keyboard"], keep=["keyboard"])
 def test_a_session_is_saved_as_a_replay_and_played_from_the_gallery(player, by):
     player.drag(player.pixel(30, 20), player.pixel(80, 30))
     player.wait(20)

@@ -3,6 +3,7 @@
 import threading
 import time
 from functools import cache
+from itertools import product
 
 import numpy as np
 import pygame
@@ -144,8 +145,11 @@ def test_tab_and_a_click_turn_to_the_saved_scenes(player):
     assert not gallery.shown and player.parts.running
 
 
-@sweep("size", [(640, 480), (1280, 720), (3840, 2160)], keep=[(640, 480), (1280, 720)])
-@sweep("scale", [0.75, 1, 1.5, 3], keep=[0.75, 3])
+@sweep(
+    ("size", "scale"),
+    product([(640, 480), (1280, 720), (3840, 2160)], [0.75, 1, 1.5, 3]),
+    keep=[((640, 480), 3), ((1280, 720), 0.75)],
+)
 def test_no_tile_is_cut_or_covered_and_the_chosen_one_is_in_sight(player, size, scale):
     parts = player.parts
     parts.settings.override("ui_scale", scale)

@@ -2,7 +2,7 @@
 
 import csv
 from dataclasses import fields, replace
-from itertools import pairwise
+from itertools import pairwise, product
 
 import numpy as np
 import pygame
@@ -191,8 +191,10 @@ def test_a_slow_frame_leaves_room_for_its_title(slowest_ms):
 
 
 @sweep("factor", [1, 15, 1500], keep=[1500])
-@pytest.mark.parametrize(
-    ("size", "scale"), [((900, 520), 1), ((1280, 720), 1), ((1300, 480), 1), ((1065, 480), 1), ((2560, 1600), 3)]
+@sweep(
+    ("size", "scale"),
+    [((900, 520), 1), ((1280, 720), 1), ((1300, 480), 1), ((1065, 480), 1), ((2560, 1600), 3)],
+    keep=[((900, 520), 1), ((2560, 1600), 3)],
 )
 def test_the_books_of_eight_colours_can_be_read_at_any_size(size, scale, factor):
     player = coloured(size, scale, factor)
@@ -416,8 +418,11 @@ def test_a_sum_is_spelled_whole_or_without_what_is_zero_or_without_words(numbers
     assert material_cards._spelt(*numbers, but) == spelt
 
 
-@pytest.mark.parametrize("panel_shown", [True, False])
-@pytest.mark.parametrize("size", [(900, 700), (1280, 720), (1920, 1080)])
+@sweep(
+    ("size", "panel_shown"),
+    product([(900, 700), (1280, 720), (1920, 1080)], [True, False]),
+    keep=[((900, 700), True), ((1280, 720), False)],
+)
 def test_the_cards_of_a_world_with_all_materials_of_alchemy_can_be_read(size, panel_shown):
     player = Player("kitchen", size)
     player.parts.display.panel_shown = panel_shown

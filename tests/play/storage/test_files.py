@@ -697,7 +697,7 @@ def test_a_recording_says_how_large_it_is(glass):
     assert recorder.spelled(path.stat().st_size) in glass.parts.notices.text
     glass.key(pygame.K_g)
     sizes = []
-    for _ in range(60):
+    for _ in range(30):
         glass.wait(3)
         pygame.time.wait(1)
         sizes += [int(size) for size in re.findall(r"(\d+) kB", glass.parts.recorder.said)]

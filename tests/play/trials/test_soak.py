@@ -18,7 +18,7 @@ pygame.font.init()
 soak = Soak(seed=5)
 parts, known = soak.app.parts, ready()
 soak.run(0.02, print)
-for name in ("hourglass", "rainbow", "fountain", "city"):
+for name in ("rainbow", "fountain"):
     parts.sessions.load(name)
     soak.run(0.02, print)
     shown = "view.toggle_forecast", "view.toggle_plots", "view.toggle_differences", "view.toggle_density"

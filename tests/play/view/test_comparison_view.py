@@ -80,7 +80,7 @@ def test_a_stroke_that_leaves_its_pane_does_not_jump_to_the_other_side(three):
 
 
 def test_each_pane_shows_its_own_world_and_what_is_left(three):
-    three.wait(200)
+    three.wait(100)
     three.hold_time()
     three.wait(20)
     surface = pygame.surfarray.array3d(three.parts.window.surface)
@@ -158,7 +158,8 @@ def test_undo_that_is_held_neither_leaves_the_comparison_nor_goes_on_beyond_it(t
 
 def test_still_panes_are_not_drawn_again(three):
     three.hold_time()
-    three.wait(600)
+    three.now_s += 10  # the line that tells of them is gone
+    three.wait(60)
     assert not any(three.frame() for _ in range(5))
 
 

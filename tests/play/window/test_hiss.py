@@ -6,6 +6,7 @@ import pytest
 
 from game.play.window import hiss
 from game.play.window.audio import RATE
+from tests.sweeps import sweep
 
 
 @pytest.fixture
@@ -52,7 +53,7 @@ class Ear:
         self.heard = left, right
 
 
-@pytest.mark.parametrize("side", [-1, 0, 1])
+@sweep("side", [-1, 0, 1], keep=[-1])
 def test_the_volume_is_what_was_set_and_comes_from_its_side(glass, monkeypatch, side):
     ear, settings = Ear(), glass.parts.settings
     monkeypatch.setattr(hiss, "sound_of", lambda wave: ear)

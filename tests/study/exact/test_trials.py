@@ -20,7 +20,7 @@ def state_of(cells):
     return sum(1 << int(place) for place in np.flatnonzero(cells))
 
 
-@pytest.mark.parametrize("name", LATTICES)
+@sweep("name", LATTICES, keep=["neck of two cells", "checkerboard"])
 @sweep("schedule", SCHEDULES, keep=["balanced"])
 def test_certain_copies_in_stacks_are_the_lattice_by_itself(name, schedule):
     sand, walls = sand_and_walls(LATTICES[name])
@@ -31,8 +31,8 @@ def test_certain_copies_in_stacks_are_the_lattice_by_itself(name, schedule):
         assert len(states) == RUNS and (states == state_of(world.sand)).all()
 
 
-@pytest.mark.parametrize("name", LATTICES)
-@pytest.mark.parametrize("schedule", SCHEDULES)
+@sweep("name", LATTICES, keep=["neck of two cells", "checkerboard", "walls in every role"])
+@sweep("schedule", SCHEDULES, keep=["balanced"])
 def test_certain_copies_side_by_side_are_the_lattice_by_itself(name, schedule):
     sand, walls = (
         np.pad(cells, 2, constant_values=solid)

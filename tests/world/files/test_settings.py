@@ -6,7 +6,7 @@ import threading
 import tomllib
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game.world.files import settings as module
@@ -170,7 +170,6 @@ PIECES = st.one_of(
 )
 
 
-@settings(deadline=None, derandomize=True, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.lists(st.tuples(st.integers(0, len(WHOLE)), PIECES, st.integers(0, 9)), min_size=1, max_size=4))
 def test_a_damaged_file_gives_settings_that_can_be_used_and_saved(tmp_path, damages):
     data = WHOLE

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import Rule, advance, load_scene
@@ -48,7 +48,6 @@ def test_every_pixel_has_the_colour_of_its_cell(shape, cell, dyed):
     assert (drawn(world, view, height, width) == wanted).all()
 
 
-@settings(max_examples=60, deadline=None)
 @given(st.integers(1, 20), st.integers(1, 300), st.integers(0, 2**32), st.floats(0, 1), st.floats(0, 1))
 def test_every_neighbourhood_looks_as_its_plain_twin_says(height, width, seed, sand, walls):
     world = random_world(np.random.default_rng(seed), height, width, sand=sand, walls=(1 - sand) * walls)
@@ -67,7 +66,6 @@ def mean(one, other):
     return ((channels[0] + channels[1]) // 2).astype(np.uint8).view(np.uint32)
 
 
-@settings(max_examples=40, deadline=None)
 @given(st.integers(2, 40), st.integers(2, 300), st.floats(0.5, 0.99), st.integers(0, 2**32))
 def test_two_cells_in_one_pixel_are_mixed(height, width, cell, seed):
     world = random_world(np.random.default_rng(seed), height, width)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game.world.looks.view import LEVELS, View, level
@@ -32,7 +32,6 @@ def test_a_view_fits_keeps_cells_square_and_shows_every_part(shape, size):
     assert (view.row_edges[-1], view.column_edges[-1]) == shape
 
 
-@settings(deadline=None)
 @given(views())
 def test_the_cell_under_a_pixel_is_the_cell_drawn_there(view):
     left, top, right, bottom = view.seen
@@ -44,7 +43,6 @@ def test_the_cell_under_a_pixel_is_the_cell_drawn_there(view):
         assert back == pytest.approx((x + 0.5, y + 0.5), abs=1e-6)
 
 
-@settings(deadline=None)
 @given(views())
 def test_cells_that_share_a_pixel_belong_to_no_other(view):
     for edges, side in ((view.column_edges, view.shape[1]), (view.row_edges, view.shape[0])):
@@ -58,7 +56,6 @@ def test_cells_that_share_a_pixel_belong_to_no_other(view):
             assert abs(edges[0] - low) <= at_most and abs(edges[-1] - high) <= at_most
 
 
-@settings(deadline=None)
 @given(views(), st.floats(0, 1), st.floats(0, 1), ZOOMS)
 def test_zooming_keeps_the_place_under_the_pointer_unless_an_end_comes_into_sight(view, right, down, cell):
     x, y = (view.seen[k] + part * (view.seen[k + 2] - 1 - view.seen[k]) for k, part in enumerate((right, down)))
@@ -75,7 +72,6 @@ def test_zooming_keeps_the_place_under_the_pointer_unless_an_end_comes_into_sigh
         assert at_an_end or found[axis] == pytest.approx(place[axis], abs=1e-6)
 
 
-@settings(deadline=None)
 @given(views())
 def test_a_lattice_fills_its_frame_or_lies_in_the_middle(view):
     left, top, right, bottom = view.seen

@@ -4,7 +4,7 @@ import random
 from itertools import product
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as some
 
 from game import Rule, load_rule, rule_names
@@ -117,7 +117,6 @@ def rule_files(draw):
 
 
 @given(text=rule_files())
-@settings(max_examples=25, deadline=None, suppress_health_check=list(HealthCheck))
 def test_any_rule_is_what_its_pictures_say(text, tmp_path_factory):
     path = tmp_path_factory.mktemp("rules") / "any.toml"
     path.write_text(text, encoding="utf-8")

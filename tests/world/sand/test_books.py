@@ -1,5 +1,7 @@
 """Laws of the books: what a rule's file says is kept is kept, whatever happens, and the account knows of all else."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 
@@ -74,8 +76,9 @@ def random_act(rule, generator):
     return acts[generator.integers(len(acts))]
 
 
-@sweep("number", range(3), keep=[0])
-def test_the_account_balances_after_acts_taps_and_drains(rule, number):
+@sweep(("name", "number"), product(rule_names(), range(3)), keep=[("sand", 0), ("water-and-oil", 0)])
+def test_the_account_balances_after_acts_taps_and_drains(name, number):
+    rule = load_rule(name)
     generator = np.random.default_rng(number)
     world = strewn(rule, number, 50, 66, lumps=2)
     account = account_of(world, rule)

@@ -3,7 +3,7 @@
 import time
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import Rule, World
@@ -13,7 +13,6 @@ from game.world.sand.erasing import is_in_figure, is_under_brush
 from game.world.sand.fixtures import DRAIN, Fixture
 from game.world.sessions.action import Paint, perform
 
-steady = settings(derandomize=True, deadline=None, max_examples=100)
 sides, cells = st.integers(1, 9), st.integers(-6, 14)
 fixtures = st.builds(Fixture, st.just(DRAIN), cells, cells, sides, sides)
 halves = st.integers(-8, 30).map(lambda number: number / 2)
@@ -25,14 +24,12 @@ def cells_of(fixture):
     return [(x, y) for y in range(top, bottom) for x in range(left, right)]
 
 
-@steady
 @given(fixtures, st.sampled_from((ROUND, SQUARE, DIAMOND)), places, places, st.integers(1, 9))
 def test_a_brush_reaches_a_fixture_whose_cells_it_comes_over(fixture, shape, start, end, diameter):
     wanted = any(comes_over(shape, *cell, *start, *end, diameter / 2) for cell in cells_of(fixture))
     assert is_under_brush(fixture, shape, start, end, diameter / 2) == wanted
 
 
-@steady
 @given(fixtures, st.sampled_from((RECTANGLE, ELLIPSE)), cells, cells, sides, sides)
 def test_a_figure_reaches_a_fixture_whose_cells_it_covers(fixture, kind, left, top, width, height):
     box = left, top, left + width, top + height

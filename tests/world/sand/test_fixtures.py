@@ -4,7 +4,7 @@ import json
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import Rule, World, advance, load_scene
@@ -21,7 +21,6 @@ from tests.cells import random_world, rows_of, world_of
 from tests.saved import load_picture
 from tests.world.random_sessions import fixtures
 
-steady = settings(derandomize=True, deadline=None, max_examples=60)
 RULE = Rule.with_p(0.6, "balanced")
 
 
@@ -56,7 +55,6 @@ def test_a_tap_pours_once_in_so_many_iterations_if_its_cell_is_empty_then(every)
     assert empty == {1: 31, 3: 20, 10: 6}[every]
 
 
-@steady
 @given(st.integers(0, 40), st.lists(fixtures, min_size=1, max_size=4), st.lists(st.integers(0, 12), max_size=9))
 def test_what_fixtures_do_does_not_depend_on_how_iterations_are_split(number, fittings, parts):
     whole, split = (furnished(number, *fittings) for _ in range(2))
@@ -87,7 +85,6 @@ def test_sand_at_rest_moves_where_a_fixture_acts_at_the_border_of_a_band(rule, k
         assert world.digest() == twin.digest()
 
 
-@steady
 @given(st.integers(0, 40), st.lists(fixtures, max_size=4), st.integers(0, 60))
 def test_grains_that_came_less_those_that_went_are_those_there_now(number, fittings, iterations):
     world = furnished(number, *fittings)
@@ -96,7 +93,6 @@ def test_grains_that_came_less_those_that_went_are_those_there_now(number, fitti
     assert world.grains == before + poured - swallowed and (world.walls == walls).all()
 
 
-@steady
 @given(st.integers(0, 40), st.lists(fixtures, max_size=4))
 def test_four_quarter_turns_are_none_and_two_are_a_flip(number, fittings):
     worlds = [furnished(number, *fittings)]
@@ -110,7 +106,6 @@ def test_four_quarter_turns_are_none_and_two_are_a_flip(number, fittings):
     assert len({world.grains for world in worlds}) == len({int(world.walls.sum()) for world in worlds}) == 1
 
 
-@steady
 @given(fixtures, st.integers(1, 3))
 def test_a_fixture_turns_with_the_cells_under_it(each, quarters):
     cells = np.zeros((24, 30), bool)

@@ -6,7 +6,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import Rule, World, advance, load_rule
@@ -18,9 +18,6 @@ from game.world.sessions.action import FIGURES, SHAPES, Draw, Fill, Paint, perfo
 from tests.cells import joined_to, strewn
 from tests.sweeps import swept
 
-steady = settings(
-    derandomize=True, deadline=None, max_examples=60, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
 HEIGHT, WIDTH = 23, 147
 places = st.tuples(st.floats(-6, WIDTH + 6), st.floats(-6, HEIGHT + 6))
 
@@ -171,7 +168,6 @@ def check_act(act, world, rule, wanted):
     assert world.digest() == twin.digest()
 
 
-@steady
 @given(data=st.data(), start=places, end=places, diameter=st.integers(1, 12), number=st.integers(0, 9))
 def test_a_stroke_gives_a_material_to_the_cells_that_take_it(rule, data, start, end, diameter, number):
     names = st.sampled_from(("erase", *rule.materials[1:]))
@@ -182,7 +178,6 @@ def test_a_stroke_gives_a_material_to_the_cells_that_take_it(rule, data, start, 
     check_act(act, world, rule, painted_by(act, world))
 
 
-@steady
 @given(data=st.data(), start=places, end=places, edge=st.integers(0, 3), number=st.integers(0, 9))
 def test_a_figure_gives_a_material_to_the_cells_that_take_it(rule, data, start, end, edge, number):
     material = data.draw(st.sampled_from(("erase", *rule.materials[1:])))
@@ -191,7 +186,6 @@ def test_a_figure_gives_a_material_to_the_cells_that_take_it(rule, data, start, 
     check_act(act, world, rule, painted_by(act, world))
 
 
-@steady
 @given(data=st.data(), column=st.integers(0, WIDTH - 1), row=st.integers(0, HEIGHT - 1), number=st.integers(0, 9))
 def test_a_fill_gives_a_material_to_what_is_connected_through_cells_of_one_code(rule, data, column, row, number):
     world = strewn(rule, number, HEIGHT, WIDTH, lumps=4)

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game.world.rules.rule import SCHEDULES, Rule
@@ -10,7 +10,6 @@ from game.world.sand.advance import advance
 from game.world.sand.world import World
 from game.world.scenes.hourglass import hourglass
 
-steady = settings(derandomize=True, deadline=None)  # the first call may compile
 sides, shapes = st.integers(5, 90), (st.floats(1, 8), st.floats(0, 1), st.floats(1, 6))
 glasses = st.tuples(sides, sides, *shapes, st.floats(0, 1))
 roomy_glasses = st.tuples(st.integers(20, 90), sides, *shapes, st.floats(0, 0.7))  # no full bulb below holds sand up
@@ -21,7 +20,6 @@ def inside(walls):
     return (np.cumsum(walls, axis=1) > 0) & (np.cumsum(walls[:, ::-1], axis=1) > 0)[:, ::-1] & ~walls
 
 
-@steady
 @given(glasses)
 def test_glass_is_the_same_upside_down_and_in_a_mirror(glass):
     sand, walls = hourglass(*glass)
@@ -31,7 +29,6 @@ def test_glass_is_the_same_upside_down_and_in_a_mirror(glass):
     assert not (sand & walls).any()
 
 
-@steady
 @given(glasses)
 def test_every_cell_beside_the_inside_is_inside_or_glass(glass):
     walls = hourglass(*glass)[1]
@@ -42,7 +39,6 @@ def test_every_cell_beside_the_inside_is_inside_or_glass(glass):
     assert not (within[:, 1:] & beyond[:, :-1]).any()
 
 
-@steady
 @given(glasses)
 def test_funnel_is_never_flatter_than_45_degrees(glass):
     walls = hourglass(*glass)[1]
@@ -51,7 +47,6 @@ def test_funnel_is_never_flatter_than_45_degrees(glass):
     assert np.diff(below_middle).max(initial=0) <= 2  # one cell at each side
 
 
-@settings(steady, max_examples=25)
 @given(roomy_glasses, st.floats(0.4, 1), st.integers(0, 99))
 def test_glass_drains_to_the_last_grain(glass, p, seed):
     sand, walls = hourglass(*glass)
@@ -60,7 +55,6 @@ def test_glass_drains_to_the_last_grain(glass, p, seed):
     assert not world.sand[: len(sand) // 2].any()
 
 
-@settings(steady, max_examples=25)
 @given(glasses, st.tuples(*[st.floats(0, 1)] * 7), st.sampled_from(sorted(SCHEDULES)), st.integers(0, 99))
 def test_sand_stays_inside_the_glass_whatever_the_rule(glass, probabilities, schedule, seed):
     sand, walls = hourglass(*glass)

@@ -3,7 +3,7 @@
 from dataclasses import replace
 
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import load_rule, load_scene
@@ -82,7 +82,6 @@ glasses = st.builds(
 )
 
 
-@settings(derandomize=True, deadline=None, max_examples=40)
 @given(st.lists(glasses, min_size=1, max_size=4), st.integers(0, 300))
 def test_sand_poured_from_glass_to_glass_is_all_there_and_inside(line, iterations):
     session = Session(load_scene("paper"), 1)

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from PIL import Image
 from PIL.PngImagePlugin import PngInfo
 
@@ -36,9 +36,6 @@ from tests.saved import load_picture, save_replay
 from tests.world.random_sessions import SCENES, played, plays
 
 DATA = Path(__file__).parents[2] / "data"
-steady = settings(
-    derandomize=True, deadline=None, max_examples=40, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
 
 
 def saved(folder, session=None):
@@ -53,7 +50,6 @@ def quick_disk(monkeypatch):
     monkeypatch.setattr(atomic.os, "fsync", lambda handle: None)
 
 
-@steady
 @given(plays)
 def test_a_saved_picture_is_the_scene(tmp_path, play):
     session = played(play)

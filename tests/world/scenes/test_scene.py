@@ -5,7 +5,7 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 from PIL import Image
 
@@ -18,8 +18,8 @@ from game.world.sand.fixtures import MOST
 from game.world.scenes.cell_arrays import SAND_PALETTE
 from game.world.scenes.scene import SceneError, load_scene, scene_names, scene_title
 from game.world.sessions.moment import account_of
+from tests.sweeps import sweep
 
-steady = settings(derandomize=True, deadline=None)
 SIZE = "width = 6\nheight = 4\n"
 NAMED = f"wanted one of {', '.join(rule_names())}, or the name of a rule file beside the scene, without .toml"
 
@@ -53,7 +53,7 @@ def test_hourglass_is_the_first_scene():
     assert set(scene_names()) >= {"hourglass", "paper", "funnel", "galton", "sandpile", "ledges", "blank", "fullhd"}
 
 
-@pytest.mark.parametrize("name", scene_names())
+@sweep("name", scene_names(), keep=["hourglass", "fountain", "kitchen"])
 def test_no_grain_of_a_shipped_scene_is_made_or_lost(name):
     scene = load_scene(name)
     world = scene.world(seed=3)
@@ -137,7 +137,7 @@ def test_a_finer_lattice_holds_the_same_part_of_sand(finer):
     assert (other.walls == other.walls[::-1, ::-1]).all()
 
 
-@pytest.mark.parametrize("name", scene_names())
+@sweep("name", scene_names(), keep=["hourglass", "maze", "city"])
 def test_any_scene_can_be_made_very_small_or_of_odd_size(name):
     for size in [(96, 54), (77, 103)]:
         scene = load_scene(name, size)
@@ -418,7 +418,6 @@ LISTS = ["[]", "{}", "[[]]", "[[0, 0], [0, 0], [0, 0]]", "[[1e-320, 0], [9, 9], 
 VALUES = st.sampled_from(NUMBERS + TEXTS + LISTS)
 
 
-@settings(steady, max_examples=75, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.data())
 def test_a_damaged_file_raises_scene_error_or_loads(tmp_path, data):
     lines = list(WHOLE)
@@ -433,7 +432,6 @@ def test_a_damaged_file_raises_scene_error_or_loads(tmp_path, data):
         assert str(error).isprintable()
 
 
-@settings(steady, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.integers(0, 600), st.binary(max_size=3))
 def test_damaged_bytes_raise_scene_error_or_load(tmp_path, at, damage):
     raw = "\n".join(WHOLE).encode()

@@ -46,7 +46,7 @@ def test_sand_covers_every_roof_of_the_city_and_lies_in_every_room_and_only_the_
 def test_the_steam_engine_keeps_going():
     engine = load_scene("steam-engine")
     world, seen = engine.world(0), []
-    advance(world, engine.rule, 20_000)
+    advance(world, engine.rule, 10_000)
     for _ in range(10):
         advance(world, engine.rule, 200)
         seen.append(world.where("steam").sum())

@@ -1,7 +1,8 @@
 """The account goes on under another rule: start + painted - erased ± events = now, as if there had been one rule."""
 
+from functools import cache
+
 import numpy as np
-import pytest
 
 from game import Rule, load_rule, load_scene
 from game.core.paint.ink import Ink
@@ -10,10 +11,12 @@ from game.world.rules.definition import definition_of_texts
 from game.world.sand.material_codes import EMPTY
 from game.world.sessions.action import Paint, SetRule
 from game.world.sessions.session import Session
+from tests.sweeps import sweep
 
 ALCHEMY = load_rule("alchemy")
 
 
+@cache
 def edited():
     """Return alchemy in which acid eats no sand, which is kept."""
     text, *others = ALCHEMY.definition.texts
@@ -77,7 +80,7 @@ def sand_of(tally, world):
     return sum(tally[:8]) if world.codes.is_sand else tally[world.codes.code("sand")]
 
 
-@pytest.mark.parametrize("name", ["sand", "water-and-oil", "rolling-sand"])
+@sweep("name", ["sand", "water-and-oil", "rolling-sand"], keep=["sand", "water-and-oil"])
 def test_what_both_rules_have_is_told_from_the_start_on(name):
     session = with_acid_on_sand()
     painted, there = sand_of(session.account.painted_by_kind, session.world), amount(session, "sand")

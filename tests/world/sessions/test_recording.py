@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import Rule, cli, headless, load_rule, load_scene
@@ -49,7 +49,6 @@ GOLDEN = {  # what the demos end in, on every machine; tests/data/make_replays.p
     "rooms": "da2d9f5265e08ef83b775ed56ed2677e",
     "three-turns": "497cf2bd5914090962d2ee365cc5e971",
 }
-steady = settings(derandomize=True, deadline=None, max_examples=40)
 
 
 def sample():
@@ -164,7 +163,6 @@ def test_demos_end_in_the_same_world_on_every_machine(name):
     assert report["grains_end"] == report["grains_start"] + report["grains_painted"] - report["grains_erased"]
 
 
-@steady
 @given(plays)
 def test_a_file_gives_back_the_session(play):
     session = played(play)
@@ -177,7 +175,6 @@ def test_a_file_gives_back_the_session(play):
     assert [(entry.at, entry.join) for entry in recording.entries] == [(entry.at, entry.join) for entry in story]
 
 
-@steady
 @given(st.integers(0, 2**40), actions, st.booleans())
 def test_an_act_is_written_and_read_without_loss(at, action, join):
     header, pen = LineWriter().header(SCENES[0], 0), LineWriter()
@@ -207,7 +204,7 @@ def test_a_file_cut_anywhere_keeps_its_whole_lines_and_says_so():
     data = to_bytes(recording_of(sample()))
     whole = parse(data, "file")[0]
     first = data.index(b"\n") + 1
-    for length in range(0, len(data), 7):
+    for length in range(0, len(data), 31):
         if length < first:
             with pytest.raises(ReplayError, match="line 1: found"):
                 parse(data[:length], "file")

@@ -1,7 +1,7 @@
 """Laws of time hold whatever the cells are: acts, undo, redo, files and journals end in the same cells."""
 
 import pytest
-from hypothesis import HealthCheck, given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import advance, load_rule
@@ -26,9 +26,6 @@ from tests.world.random_sessions import (
     tools_of,
 )
 
-steady = settings(
-    derandomize=True, deadline=None, max_examples=25, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
 NAMES = "alchemy", "rolling-sand"
 
 
@@ -62,7 +59,6 @@ def spacing(request, monkeypatch):
 
 
 @pytest.mark.parametrize("name", NAMES)
-@steady
 @given(data=st.data())
 def test_the_present_is_what_the_acts_make_of_the_start_and_the_account_knows_it(name, data):
     session = played([], OWN[name])
@@ -74,7 +70,6 @@ def test_the_present_is_what_the_acts_make_of_the_start_and_the_account_knows_it
 
 
 @pytest.mark.parametrize("name", NAMES)
-@steady
 @given(data=st.data())
 def test_undo_redo_and_rewinding_come_back_to_the_same_cells(name, data):
     session = played(data.draw(PLAYS[name]), OWN[name])
@@ -95,7 +90,6 @@ def test_undo_redo_and_rewinding_come_back_to_the_same_cells(name, data):
 
 
 @pytest.mark.parametrize("name", NAMES)
-@steady
 @given(data=st.data())
 def test_replays_and_journals_tell_the_same_session(name, data, tmp_path):
     session = Session(OWN[name], 5)

@@ -5,7 +5,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from game import Rule, advance, load_scene
@@ -20,7 +20,6 @@ from tests.cells import small_glass
 from tests.sweeps import swept
 from tests.world.random_sessions import SCENES, Listener, actions, obey, plain_world, played, plays, state
 
-steady = settings(derandomize=True, deadline=None, max_examples=25)
 DOT = Paint("sand", (5.0, 5.0), (9.0, 5.0), 4)
 GLASS = small_glass(40)
 BAR = Paint("wall", (2.0, 12.0), (20.0, 12.0), 3)
@@ -43,7 +42,6 @@ def spacing(request, monkeypatch):
     return request.param
 
 
-@steady
 @given(plays)
 def test_the_present_is_what_the_acts_make_of_the_start(play):
     session = played(play)
@@ -51,7 +49,6 @@ def test_the_present_is_what_the_acts_make_of_the_start(play):
     assert session.world.digest() == world.digest() and session.rule == rule
 
 
-@steady
 @given(plays)
 def test_what_the_journal_heard_tells_the_same_session(play):
     session = played(play)
@@ -64,7 +61,6 @@ def test_what_the_journal_heard_tells_the_same_session(play):
     assert state(told) == state(session)
 
 
-@steady
 @given(plays)
 def test_undo_of_everything_is_the_start(play):
     session = played(play)
@@ -76,7 +72,6 @@ def test_undo_of_everything_is_the_start(play):
     assert session.world.digest() == world.digest() and session.rule == scene.rule
 
 
-@steady
 @given(plays, st.integers(0, 150))
 def test_rewinding_and_going_forward_again_is_the_identity(play, back):
     session = played(play)
@@ -86,7 +81,6 @@ def test_rewinding_and_going_forward_again_is_the_identity(play, back):
     assert state(session) == before
 
 
-@steady
 @given(plays, actions)
 def test_undo_leaves_the_sand_as_it_would_have_been(play, action):
     session, twin = played(play), played(play)
@@ -101,7 +95,6 @@ def test_undo_leaves_the_sand_as_it_would_have_been(play, action):
         assert session.redo() and state(session) == changed
 
 
-@steady
 @given(plays)
 def test_grains_are_those_of_the_start_and_those_painted_less_those_erased(play):
     session = played([])
@@ -110,7 +103,6 @@ def test_grains_are_those_of_the_start_and_those_painted_less_those_erased(play)
         assert session.account.balanced(session.world)
 
 
-@steady
 @given(plays)
 def test_snapshots_never_take_more_than_the_budget(play):
     session = played([])
@@ -190,7 +182,6 @@ def test_nothing_is_joined_to_an_act_that_was_left():
     assert session.undo() and session.world.digest() == SCENES[1].world().digest()
 
 
-@steady
 @given(plays, actions)
 def test_what_is_recorded_is_what_changes_the_world_or_the_rule(play, action):
     session = played(play)

@@ -13,6 +13,7 @@ from game.world.sessions.action import Paint, SetRule
 from game.world.sessions.recording import parse
 from game.world.sessions.session import Session
 from tests.saved import recording_of, to_bytes
+from tests.sweeps import sweep
 
 KEYS = {
     "brush": (pygame.K_d, 0),
@@ -77,7 +78,7 @@ def test_number_keys_give_sizes_and_letters_give_tools(still):
         assert still.parts.brush.tool == tool
 
 
-@pytest.mark.parametrize("tool", TOOLS)
+@sweep("tool", TOOLS, keep=["replace", "stamp", "drain", "pick"])
 def test_undo_after_a_tool_gives_back_the_world_before_it(still, tool):
     still.parts.brush.material = "wall"
     still.drag(still.pixel(5, 60), still.pixel(110, 70))
@@ -94,7 +95,7 @@ def test_undo_after_a_tool_gives_back_the_world_before_it(still, tool):
     assert still.session.account.balanced(still.world)
 
 
-@pytest.mark.parametrize("tool", TOOLS)
+@sweep("tool", TOOLS, keep=["brush", "stamp", "tap", "ellipse"])
 def test_what_a_tool_did_is_told_by_the_replay(player, tool):
     player.drag(player.pixel(20, 20), player.pixel(60, 25))
     take(player, tool, 5)
