@@ -72,6 +72,13 @@ def cache_folder():
 
 
 _FOLDER = cache_folder()
+
+
+def folder():
+    """Return the folder in which machine code is kept, a Path, or None where none is."""
+    return _FOLDER
+
+
 _kernels = []
 _troubles = []  # what was wrong with the cache in this run, in words
 

@@ -40,17 +40,15 @@ def cheapest(sets, costs, eventful):
 
     sets, costs: of each pass, the codes it knows as bits of a number, and its gates; the first one knows all codes.
     """
-    best = np.zeros(len(eventful), np.uint8)
-    least = np.full(len(eventful), costs[0])
-    for number in range(1, len(sets)):
-        if costs[number] < least[sets[number]]:
-            best[sets[number]], least[sets[number]] = number, costs[number]
-    for bit in range(len(eventful).bit_length() - 1):
-        best_halves, halves = best.reshape(-1, 2, 2**bit), least.reshape(-1, 2, 2**bit)
-        better = halves[:, 1] < halves[:, 0]
-        best_halves[:, 0][better], halves[:, 0][better] = best_halves[:, 1][better], halves[:, 1][better]
+    keys = np.array(costs, np.uint32) << 8 | np.arange(len(costs), dtype=np.uint32)  # cost, then number
+    best = np.full(len(eventful), keys[0])
+    for known, key in zip(sets[1:], keys[1:], strict=True):
+        best[known] = min(best[known], key)
+    for bit in range(len(eventful).bit_length() - 1):  # what knows a code more will do
+        halves = best.reshape(-1, 2, 2**bit)
+        np.minimum(halves[:, 0], halves[:, 1], out=halves[:, 0])
     best[~eventful] = NOTHING
-    return best
+    return best.astype(np.uint8)
 
 
 class DispatchTable:

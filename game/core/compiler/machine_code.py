@@ -23,22 +23,30 @@ def features():
     return llvm.get_host_cpu_features().flatten()
 
 
+def compiled(text):
+    """Return the machine code of LLVM IR, as bytes; it is taken as it is written."""
+    _initialize()
+    features = llvm.get_host_cpu_features().flatten()
+    machine = llvm.Target.from_default_triple().create_target_machine(
+        cpu=llvm.get_host_cpu_name(), features=features, opt=2
+    )
+    return machine.emit_object(llvm.parse_assembly(text))
+
+
 class MachineCode:
     """A compiled function; `address` is good as long as this object lives."""
 
-    def __init__(self, text, name, code=None):
-        """`code`: what `code` was of the same text and machine before; without it the text is compiled."""
-        llvm.initialize_native_target()
-        llvm.initialize_native_asmprinter()
-        module = llvm.parse_assembly(text)
-        machine = llvm.Target.from_default_triple().create_target_machine(
-            cpu=llvm.get_host_cpu_name(), features=llvm.get_host_cpu_features().flatten(), opt=2
+    def __init__(self, code, name):
+        """code: what `compiled` returned, on this machine or one like it."""
+        _initialize()
+        self._engine = llvm.create_mcjit_compiler(
+            llvm.parse_assembly(""), llvm.Target.from_default_triple().create_target_machine()
         )
-        self.code = code
-        self._engine = llvm.create_mcjit_compiler(module, machine)
-        self._engine.set_object_cache(self._take, lambda module: code)
+        self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
         self._engine.finalize_object()
         self.address = self._engine.get_function_address(name)
 
-    def _take(self, module, code):
-        self.code = code
+
+def _initialize():
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()

@@ -2,7 +2,7 @@
 
 A pass of a large rule is mostly gates for materials that are not there. So `dispatch` counts which sets of materials
 runs of words hold, and where their gates have cost about as much time as making a pass for such a set takes, one is
-made, in a thread. The cells are the same with any passes.
+made, in a process beside this one. The cells are the same with any passes.
 """
 
 import sys
@@ -12,6 +12,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from game.core.compiler.beside import Call, run_beside
 from game.core.compiler.dispatch import MOST, NOTHING, RUN, cheapest, eventful
 
 LEAST_GATES = 250  # of a rule for which looking at the materials pays
@@ -53,45 +54,58 @@ class Known(NamedTuple):
 class NarrowPasses:
     """The passes of one rule, and what the dispatch counts of its runs."""
 
-    def __init__(self, table, whole, make):
-        """whole, make(codes): a made pass, with its `gates`, `lanes` and machine `code`, for all codes or for some."""
-        self._codes, self._make, self._eventful = table.codes, make, eventful(table)
+    def __init__(self, table, whole, make, kept):
+        """whole: the made pass for all codes, with its `gates`, `lanes` and machine `code`.
+
+        make(codes) makes one for some codes, and keeps it; it can be pickled. kept(codes) returns what was kept so, or
+        None.
+        """
+        self._codes, self._make, self._kept, self._eventful = table.codes, make, kept, eventful(table)
         self.tally = np.zeros(2**table.codes, np.uint32)
         self.known = None  # replaced when there is one more
         self._know((whole,), (2**table.codes - 1,))
-        self._asked, self._making = 0, None
+        self._call = Call(make)
+        self._asked, self._thread = 0, None  # the one that waits for the process that makes a pass
         self._tried = []  # sets of codes, as bits of numbers, for which a pass was made or could not be
 
     def look(self):
         """Have a narrower pass made if one has paid by now; of many calls, few do more than count."""
         self._asked += 1
-        if self._asked % ASKED or (self._making and self._making.is_alive()):
+        if self._asked % ASKED or (self._thread and self._thread.is_alive()):
             return
         best = self._best()
         if best:
             self._tried.append(best)
             codes = tuple(code for code in range(self._codes) if best >> code & 1)
-            self._making = Thread(target=self._narrow_beside, args=[codes], name="narrower pass")
-            self._making.start()
+            self._thread = Thread(target=self._narrow_beside, args=[codes], daemon=True)
+            self._thread.start()
 
     def wait(self):
         """Wait for the pass that is being made, if one is."""
-        if self._making:
-            self._making.join()
+        if self._thread:
+            self._thread.join()
 
     def narrow(self, codes):
         """Make the pass for some codes, unless there is one."""
+        self._add(codes, self._make)
+
+    def _narrow_beside(self, codes):
+        """Have a process make the pass for some codes, and take it; where none can be started the whole one goes on."""
+        with suppress(OSError), giving_way():
+            run_beside(self._call, codes)
+            self._add(codes, self._kept)
+
+    def _add(self, codes, get):
+        """Know the pass get(codes), if there is one; code that disagrees with its table is none."""
         made, sets, _ = self.known
         number = sum(1 << code for code in codes)
         if number not in sets and len(made) < MOST:
-            self._know((*made, self._make(codes)), (*sets, number))
+            new = get(codes)
+            if new:
+                self._know((*made, new), (*sets, number))
 
     def _know(self, made, sets):
         self.known = Known(made, sets, cheapest(sets, [each.gates for each in made], self._eventful))
-
-    def _narrow_beside(self, codes):
-        with giving_way(), suppress(RuntimeError):  # code that disagrees with its table: the whole pass goes on
-            self.narrow(codes)
 
     def _best(self):
         """Return the set for which a pass would have saved the most time, 0 if that is less than making it takes."""

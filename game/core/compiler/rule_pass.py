@@ -1,19 +1,23 @@
 """Passes: the machine code of a rule, made when first asked for and checked before it is used."""
 
+import pickle
+from contextlib import suppress
 from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
 
 from game.core.compiler import dispatch, self_check
+from game.core.compiler.beside import run_beside
 from game.core.compiler.dispatch import DispatchTable
-from game.core.compiler.machine_code import MachineCode, features, lanes, machine
+from game.core.compiler.machine_code import MachineCode, compiled, features, lanes, machine
 from game.core.compiler.narrowing import LEAST_GATES, NarrowPasses
 from game.core.compiler.plan import Plan, gate_count, kinds_of, plan, threshold_of, thresholds_in
 from game.core.compiler.vector_ir import NAME, chances_of, source
-from game.core.jit import kept
+from game.core.jit import kept, read
 from game.core.rule_table import corners
 
+LARGEST_BITS = 4  # of a cell, in rules that take long to compile
 KEPT = 128  # passes in memory; each is some ten kilobytes
 
 
@@ -53,6 +57,17 @@ def narrow(table, probabilities, codes, most_lanes=None):
     passes = _passes(table, probabilities, 0, most_lanes)
     if passes.narrow:
         passes.narrow.narrow(codes)
+
+
+def make_beside(table, probabilities):
+    """Have the pass of a large RuleTable made and kept by another process, if that can be, and wait for it.
+
+    A thread that waits holds nobody up; one that makes such a pass makes frames late.
+    """
+    what = table, None, tuple(kinds_of(table, probabilities).items()), 0, lanes()
+    if table.bits == LARGEST_BITS and read(_key(*what), bool) is None:
+        with suppress(OSError):
+            run_beside(make_pass, *what)
 
 
 def made_for(table, probabilities):
@@ -134,34 +149,50 @@ class _CompiledRule(NamedTuple):
 @lru_cache(maxsize=KEPT)
 def _compiled(table, kinds, payload, most_lanes):
     """Return the _CompiledRule of a table."""
-    whole = _made_pass(table, kinds, payload, most_lanes)
+    whole = make_pass(table, None, kinds, payload, most_lanes)
     if payload or whole.gates < LEAST_GATES:
         return _CompiledRule(whole, None, None)
-
-    def make(codes):
-        part = table.narrowed(codes)
-        held = set(thresholds_in(part))
-        return _made_pass(part, tuple((slots, kind) for slots, kind in kinds if slots in held), 0, whole.lanes)
-
-    code = MachineCode(dispatch.source(table.bits, table.codes, whole.lanes), dispatch.NAME)
-    return _CompiledRule(whole, code, NarrowPasses(table, whole, make))
+    code = compiled(dispatch.source(table.bits, table.codes, whole.lanes))
+    about = table, kinds, whole.lanes
+    narrow = NarrowPasses(table, whole, partial(make_narrow_pass, *about), partial(_kept_narrow_pass, *about))
+    return _CompiledRule(whole, MachineCode(code, dispatch.NAME), narrow)
 
 
-def _made_pass(table, kinds, payload, most_lanes):
-    """Return the _MadePass of a table; its machine code is kept between runs."""
-    key = f"{table.digest} {kinds} {payload} {most_lanes} {machine()} {features()}"
-    plan, at_once, text, code, gates = kept(key, partial(_made, table, kinds, payload, most_lanes))
-    return _MadePass(plan, MachineCode(text, NAME, code), at_once, gates)
+def make_narrow_pass(table, kinds, lanes, codes):
+    """Return the _MadePass of a table for some of its codes; it is kept between runs."""
+    return make_pass(table, codes, kinds, 0, lanes)
 
 
-def _made(table, kinds, payload, most_lanes):
-    """Return (Plan without its circuit, words at a time, LLVM IR, machine code, gates) of a pass that was checked."""
-    gates = plan(table, dict(kinds))
+def _kept_narrow_pass(table, kinds, lanes, codes):
+    """Return what `make_narrow_pass` has kept before, or None."""
+    before = read(_key(table, codes, kinds, 0, lanes), pickle.loads)
+    return before and _loaded(before)
+
+
+def make_pass(table, codes, kinds, payload, most_lanes):
+    """Return the _MadePass of a table, for some of its codes or, if they are None, all; it is kept between runs."""
+    what = table, codes, kinds, payload, most_lanes
+    return _loaded(kept(_key(*what), partial(_made, *what)))
+
+
+def _key(table, codes, kinds, payload, most_lanes):
+    return f"{table.digest} {codes} {kinds} {payload} {most_lanes} {machine()} {features()}"
+
+
+def _loaded(made):
+    plan, at_once, code, gates = made
+    return _MadePass(plan, MachineCode(code, NAME), at_once, gates)
+
+
+def _made(table, codes, kinds, payload, most_lanes):
+    """Return (Plan without its circuit, words at a time, machine code, gates) of a pass that was checked."""
+    table, kinds = table.narrowed(codes) if codes else table, dict(kinds)
+    gates = plan(table, {slots: kinds[slots] for slots in thresholds_in(table)})
     for at_once in dict.fromkeys((most_lanes, 1)):
-        text = source(gates, at_once, payload)
-        made = MachineCode(text, NAME)
-        if self_check.agrees(made.address, table, gates, dict(kinds), payload, at_once):
-            return gates._replace(circuit=None), at_once, text, made.code, gate_count(gates)
+        code = compiled(source(gates, at_once, payload))
+        made = MachineCode(code, NAME)
+        if self_check.agrees(made.address, table, gates, kinds, payload, at_once):
+            return gates._replace(circuit=None), at_once, code, gate_count(gates)
     raise RuntimeError(f"the code made for this rule moves blocks otherwise than its table says: {machine()}")
 
 

@@ -7,7 +7,7 @@ streams go on for LINE words beyond `size`, and what is written there means noth
 same of arrays of uint64.
 """
 
-from game.core.compiler.machine_code import MachineCode, lanes
+from game.core.compiler.machine_code import MachineCode, compiled, lanes
 
 FULL = 2**64 - 1
 NAME = "sandglass_words"
@@ -133,7 +133,7 @@ def word_pass(function, reads, pairs=False):
     words = function(Streams(writer, pairs))
     for number, word in enumerate(words):
         writer.store(word, reads + number)
-    return MachineCode(writer.text(), NAME), len(words)
+    return MachineCode(compiled(writer.text()), NAME), len(words)
 
 
 def transposed(words):

@@ -2,6 +2,7 @@
 
 from game.core.compiler.narrowing import giving_way
 from game.core.compiler.plan import kinds_of
+from game.core.compiler.rule_pass import make_beside
 from game.world.background.kernel_warmup import steps
 from game.world.sessions.action import Load, SetRule
 
@@ -36,6 +37,7 @@ def _kinds(rule):
 
 def make_ready(rule, walls, cell, coloured, fixtures):
     """Compile all that showing a scene with a rule needs, as `kernel_warmup.steps` does; frames go on beside it."""
+    make_beside(rule.table, rule.values)
     with giving_way():
         for _, act in steps(rule, walls, cell, coloured and rule.codes.is_sand, fixtures):
             act()

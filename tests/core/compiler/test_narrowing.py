@@ -1,11 +1,13 @@
 """Narrower passes: for the materials that are there, with the bits of the pass for all; made where it pays."""
 
+import sys
 from itertools import combinations, product
 
 import numpy as np
 import pytest
 
 from game import World, advance, load_rule
+from game.core import jit
 from game.core.compiler import dispatch, narrowing, rule_pass
 from game.core.compiler.rule_pass import narrow, pass_of
 from game.core.rule_table import corners
@@ -105,24 +107,30 @@ def test_for_each_set_the_cheapest_pass_is_called_that_knows_all_of_it():
         assert numbers[number] == (min(ways)[1] if eventful[number] else dispatch.NOTHING)
 
 
+@pytest.fixture
+def own_cache(tmp_path, monkeypatch):
+    """Keep machine code in a folder of its own, where processes beside this one keep it too."""
+    monkeypatch.setattr(jit, "_FOLDER", tmp_path / jit.cache_folder().name)
+
+
 def asked(rule, times=narrowing.ASKED):
     for _ in range(times):
         pass_of(rule.table, rule.values)
     return rule_pass._passes(rule.table, rule.values, 0, None).narrow
 
 
-def test_a_narrower_pass_is_made_once_the_whole_one_has_cost_as_much_as_making_it(every_rule_is_large):
+def test_a_narrower_pass_is_made_once_the_whole_one_has_cost_as_much_as_making_it(own_cache, every_rule_is_large):
     rule = load_rule("water-and-oil")
     codes = rule.codes.code("air"), rule.codes.code("sand")
     number = sum(1 << code for code in codes)
     passes = asked(rule)
-    assert passes._making is None and len(passes.known.made) == 1, "nothing was moved, and nothing has cost"
+    assert passes._thread is None and len(passes.known.made) == 1, "nothing was moved, and nothing has cost"
     passes.tally[number] = 10
     asked(rule)
-    assert passes._making is None
+    assert passes._thread is None
     passes.tally[number] = 10**7
     asked(rule, narrowing.ASKED - 1)
-    assert passes._making is None, "most calls only count"
+    assert passes._thread is None, "most calls only count"
     asked(rule, 1)
     passes.wait()
     made, sets, numbers = passes.known
@@ -131,7 +139,7 @@ def test_a_narrower_pass_is_made_once_the_whole_one_has_cost_as_much_as_making_i
     assert len(passes.known.made) == 2, "it pays once"
 
 
-def test_one_pass_is_made_for_sets_that_are_parts_of_it(every_rule_is_large):
+def test_one_pass_is_made_for_sets_that_are_parts_of_it(own_cache, every_rule_is_large):
     passes = asked(load_rule("water-and-oil"))
     for codes in combinations((0, 1, 3), 2):
         passes.tally[sum(1 << code for code in codes)] = 10**6
@@ -141,26 +149,29 @@ def test_one_pass_is_made_for_sets_that_are_parts_of_it(every_rule_is_large):
     assert passes.known.sets[1] == 0b01011
 
 
-def test_a_narrower_pass_that_disagrees_with_its_table_is_not_used(monkeypatch, every_rule_is_large):
-    rule = load_rule("water-and-oil")
-    passes = asked(rule)
-    monkeypatch.setattr(rule_pass, "_made_pass", lambda *_: (_ for _ in ()).throw(RuntimeError("otherwise")))
-    passes.tally[0b11] = 10**7
-    asked(rule)
-    passes.wait()
-    assert len(passes.known.made) == 1 and (passes.known.numbers[0b11] != 1)
-
-
-def test_what_was_made_or_could_not_be_is_not_tried_again(monkeypatch, every_rule_is_large):
+def test_a_narrower_pass_that_could_not_be_made_is_not_used_nor_tried_again(tmp_path, monkeypatch, every_rule_is_large):
     rule, tried = load_rule("water-and-oil"), []
     passes = asked(rule)
-    monkeypatch.setattr(passes, "_make", lambda codes: tried.append(codes) or passes.known.made[0])
-    monkeypatch.setattr(narrowing, "MADE_S", 0.0)
+    monkeypatch.setattr(jit, "_FOLDER", tmp_path)
+    monkeypatch.setattr(narrowing, "run_beside", lambda act, codes: tried.append(codes))
     passes.tally[0b11] = passes.tally[0b1011] = 10**9
     for _ in range(6):
         asked(rule)
         passes.wait()
-    assert sorted(tried) == [(0, 1), (0, 1, 3)]
+    assert len(passes.known.made) == 1 and sorted(tried) == [(0, 1), (0, 1, 3)]
+
+
+@pytest.mark.parametrize("trouble", [{"frozen": True}, {}])
+def test_without_processes_or_a_folder_the_whole_pass_goes_on(trouble, monkeypatch, every_rule_is_large):
+    passes = asked(load_rule("water-and-oil"))
+    for name, value in trouble.items():
+        monkeypatch.setattr(sys, name, value, raising=False)
+    if not trouble:
+        monkeypatch.setattr(jit, "_FOLDER", None)
+    passes.tally[0b11] = 10**9
+    asked(load_rule("water-and-oil"), 8)
+    passes.wait()
+    assert len(passes.known.made) == 1
 
 
 def test_no_more_passes_are_made_than_there_are_numbers_for(monkeypatch, every_rule_is_large):
@@ -171,7 +182,7 @@ def test_no_more_passes_are_made_than_there_are_numbers_for(monkeypatch, every_r
     assert passes.known.sets[1:] == (0b11,)
     passes.tally[:] = 10**8
     asked(load_rule("water-and-oil"))
-    assert passes._making is None
+    assert passes._thread is None
 
 
 def test_what_runs_hold_is_counted_and_where_nothing_can_happen_nothing_is_called():

@@ -6,8 +6,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from game.core.compiler import self_check
-from game.core.compiler.machine_code import MachineCode, lanes
+from game.core.compiler import machine_code, self_check
 from game.core.compiler.plan import kinds_of, plan
 from game.core.compiler.vector_ir import NAME, source
 from game.core.rule_table import CERTAIN
@@ -27,13 +26,14 @@ def compiled(table, change_plan=lambda gates: gates, change_text=lambda text: te
     """Return a table, its plan, its kinds, its code, which may be made wrong on the way, and the bits of payload."""
     kinds = kinds_of(table, (*CHANCES, 1.0)[: len(table.slots)])
     gates = plan(table, kinds)
-    return table, gates, kinds, MachineCode(change_text(source(change_plan(gates), lanes(), payload)), NAME), payload
+    code = machine_code.compiled(change_text(source(change_plan(gates), machine_code.lanes(), payload)))
+    return table, gates, kinds, machine_code.MachineCode(code, NAME), payload
 
 
 def agrees(made, table=None):
     """Return whether the code agrees with another table than the one it was made from, or with that."""
     own, gates, kinds, code, payload = made
-    return self_check.agrees(code.address, table or own, gates, kinds, payload, lanes())
+    return self_check.agrees(code.address, table or own, gates, kinds, payload, machine_code.lanes())
 
 
 def with_layers(table, layers):
@@ -139,6 +139,6 @@ def test_what_is_told_wrongly_is_seen(made, number):
 
 def test_blocks_that_are_to_take_no_part_and_do_are_seen(made):
     load = r"(%v\d+) = getelementptr i64, ptr %may, i64 %i\n +(%v\d+) = load (<\d+ x i64>), ptr .*"
-    ones = f"<{', '.join(['i64 -1'] * lanes())}>"
+    ones = f"<{', '.join(['i64 -1'] * machine_code.lanes())}>"
     wrong = compiled(made[0], change_text=lambda text: re.sub(load, rf"\2 = xor \3 zeroinitializer, {ones}", text))
     assert not agrees(wrong)

@@ -1,0 +1,56 @@
+"""Work in a Python process of its own: what holds the interpreter's lock for long would make frames late in a thread.
+
+What it makes is kept where `core.jit` keeps things, and taken from there.
+"""
+
+import os
+import pickle
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from game.core import jit
+
+_ROOT = Path(__file__).parents[3]  # the folder that `game` lies in
+_CODE = """
+import os, pickle, sys
+if hasattr(os, "nice"):
+    os.nice(10)  # it gives way to whatever else runs
+act, arguments = pickle.load(sys.stdin.buffer)
+act(*arguments)
+"""
+
+
+class Call:
+    """A function that was pickled once and for all: that of a large one takes longer than a frame may."""
+
+    def __init__(self, act):
+        self._pickled = pickle.dumps(act)
+
+    def __call__(self, *arguments):
+        """Call the function."""
+        return pickle.loads(self._pickled)(*arguments)
+
+
+def run_beside(act, *arguments):
+    """Call act(*arguments) in a process of its own, and wait for its end; nobody hears what it returns or raises.
+
+    Both can be pickled. Raises OSError where there can be no such process, or nothing is kept.
+    """
+    folder = jit.folder()
+    if folder is None or getattr(sys, "frozen", False):
+        raise OSError("no process beside this one would do any good")
+    path = os.pathsep.join(filter(None, [str(_ROOT), os.environ.get("PYTHONPATH")]))
+    with tempfile.TemporaryFile() as handed:
+        pickle.dump((act, arguments), handed)
+        handed.seek(0)
+        subprocess.run(
+            [sys.executable, "-c", _CODE],
+            check=False,
+            stdin=handed,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.DEVNULL,
+            env=os.environ | {"PYTHONPATH": path, "SANDGLASS_CACHE_DIR": str(folder.parent)},
+            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+        )

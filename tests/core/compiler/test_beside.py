@@ -1,0 +1,56 @@
+"""Work in a process beside this one is done there, and trouble with it is no trouble here."""
+
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from game import load_rule
+from game.core import jit
+from game.core.compiler import rule_pass
+from game.core.compiler.beside import run_beside
+from game.core.compiler.rule_pass import make_beside, pass_of
+
+
+@pytest.fixture(autouse=True)
+def own_cache(tmp_path, monkeypatch):
+    """Keep machine code in a folder of its own."""
+    monkeypatch.setattr(jit, "_FOLDER", tmp_path / jit.cache_folder().name)
+
+
+def test_what_is_called_is_done_by_another_process(tmp_path):
+    run_beside(Path.write_text, tmp_path / "note", "done")
+    assert (tmp_path / "note").read_text() == "done"
+
+
+def test_what_it_keeps_is_found_here():
+    run_beside(jit.kept, "a key", list)
+    assert jit.kept("a key", None) == []
+
+
+def test_a_call_that_fails_is_only_over(tmp_path, capfd):
+    run_beside(Path.read_text, tmp_path / "nothing")
+    assert capfd.readouterr() == ("", "")
+
+
+def test_where_nothing_is_kept_or_no_interpreter_is_at_hand_no_process_is_started(monkeypatch):
+    with monkeypatch.context() as patch, pytest.raises(OSError, match="no process"):
+        patch.setattr(jit, "_FOLDER", None)
+        run_beside(print)
+    monkeypatch.setattr(sys, "frozen", True, raising=False)
+    with pytest.raises(OSError, match="no process"):
+        run_beside(print)
+
+
+def test_a_large_rule_is_made_by_another_process_and_only_taken_here(monkeypatch):
+    rule = load_rule("alchemy")
+    table = replace(rule.table)  # as read anew
+    make_beside(table, rule.values)
+    monkeypatch.setattr(rule_pass, "_made", lambda *_: 1 / 0)
+    monkeypatch.setattr(rule_pass, "run_beside", None)
+    make_beside(table, rule.values)
+    assert pass_of(table, rule.values).edges == (True, True)
+    monkeypatch.setattr(jit, "_FOLDER", None)
+    monkeypatch.setattr(rule_pass, "run_beside", run_beside)
+    make_beside(replace(rule.table), rule.values)
