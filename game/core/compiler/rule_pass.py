@@ -113,8 +113,8 @@ class _Passes:
 
     def _widen(self, known):
         """Let the dispatch choose among the passes of a Known; two threads may be here, and both get it right."""
-        before = self._chances
-        chances = [*before, *map(self._chances_for, known.made[len(before) :])]
+        before = self._chances  # of another thread's, it may be more
+        chances = [*before, *map(self._chances_for, known.made[len(before) :])][: len(known.made)]
         passes = [(each.code.address, own) for each, own in zip(known.made, chances, strict=True)]
         told = DispatchTable(known.numbers, self.narrow.tally, passes)
         code, kept_alive = self._made.dispatch, (told, known.made)

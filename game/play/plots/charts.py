@@ -73,11 +73,12 @@ def scale(theme, room, marks, low, high):
     return strokes, pygame.Rect(room.x + wide, room.y, room.width - wide, room.height)
 
 
-def curves(rect, xs, series, low, high):
-    """Return the strokes of series [(numbers, colour)] over rising xs, between `low` and `high`; NaN leaves a gap."""
-    first, span = (xs[0], max(xs[-1] - xs[0], 1e-9)) if xs else (0, 1)
-    strokes = []
-    for numbers, colour in series:
+def curves(rect, series, low, high):
+    """Return the strokes of series [(rising xs, numbers, colour)] between `low` and `high`; NaN leaves a gap."""
+    ends = [end for xs, _, _ in series for end in (xs[:1], xs[-1:]) if end]
+    first, last = min(ends, default=[0])[0], max(ends, default=[0])[0]
+    span, strokes = max(last - first, 1e-9), []
+    for xs, numbers, colour in series:
         run = []
         for x, number in [*zip(xs, numbers, strict=True), (0, math.nan)]:
             if not math.isnan(number):

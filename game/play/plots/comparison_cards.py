@@ -33,19 +33,19 @@ def quantities(measurements):
 
 
 def comparison_card(theme, rect, quantity, measured, colours):
-    """Return the strokes of the card of a Quantity; measured: {name: Measurements}, sampled at the same iterations."""
+    """Return the strokes of the card of a Quantity; measured: {name: Measurements}."""
     series = {name: quantity.of(each) for name, each in measured.items()}
     known = [number for numbers in series.values() for number in numbers if not math.isnan(number)]
     strokes, room = charts.card(theme, rect, quantity.title, quantity.unit)
     now = {name: _last(numbers, quantity.spell) for name, numbers in series.items()}
     names, room = _names(theme, room, [(name, now[name], colours[name]) for name in series])
-    nows = [sample.now for sample in next(iter(measured.values())).samples]
-    room, foot = charts.with_foot(theme, room, nows)
+    nows = {name: [sample.now for sample in each.samples] for name, each in measured.items()}
+    room, foot = charts.with_foot(theme, room, sorted({now for each in nows.values() for now in each}))
     low, high = -charts.round_up(-min([0.0, *known])), charts.round_up(max([0.1, *known]))
     ends = [(each, charts.figure(each)) for each in dict.fromkeys((high, low, 0))]
     figures, room = charts.scale(theme, room, ends, low, high)
-    lines = [(series[name], colours[name]) for name in series]
-    return strokes + names + foot + figures + charts.curves(room, nows, lines, low, high)
+    lines = [(nows[name], series[name], colours[name]) for name in series]
+    return strokes + names + foot + figures + charts.curves(room, lines, low, high)
 
 
 def _names(theme, room, entries):

@@ -27,8 +27,8 @@ def amounts_card(theme, rect, samples, names, colours):
     names_of, room = legend(theme, room, [(name, f"{series[name][0][-1]:,}", series[name][1]) for name in order])
     high = charts.round_up(max([1, *(max(numbers) for numbers, _ in series.values())]))
     figures, room = charts.scale(theme, room, [(high, charts.figure(high)), (0, "0")], 0, high)
-    nows = [now for now, _ in samples]
-    return strokes + names_of + figures + charts.curves(room, nows, list(series.values()), 0, high)
+    lines = [([now for now, _ in samples], *each) for each in series.values()]
+    return strokes + names_of + figures + charts.curves(room, lines, 0, high)
 
 
 def legend(theme, room, entries, wide=None):

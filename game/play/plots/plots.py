@@ -247,7 +247,7 @@ class Plots:
         low = -charts.round_up(-min([0.0, *known]))
         high = charts.round_up(max([0.1, *known]))
         figures, room = self._scale(room, low, high)
-        lines = charts.curves(room, self._nows(), [(flows, look.ACCENT)], low, high)
+        lines = charts.curves(room, [(self._nows(), flows, look.ACCENT)], low, high)
         return strokes + foot + figures + lines
 
     def _filling(self, rect):
@@ -261,8 +261,9 @@ class Plots:
         room, foot = charts.with_foot(self._display.theme, room, self._nows())
         most = charts.round_up(max(1, *(max(each.above, each.below) for each in samples)))
         figures, room = self._scale(room, 0, most)
-        series = [([e.above for e in samples], look.ACCENT), ([e.below for e in samples], look.RING)]
-        return strokes + foot + figures + charts.curves(room, self._nows(), series, 0, most)
+        numbers = ([e.above for e in samples], look.ACCENT), ([e.below for e in samples], look.RING)
+        series = [(self._nows(), *each) for each in numbers]
+        return strokes + foot + figures + charts.curves(room, series, 0, most)
 
     def _pile(self, rect):
         return pile_card(self._display.theme, rect, self.measurements, self._display.on_stage)
@@ -276,7 +277,7 @@ class Plots:
         figures, room = self._scale(room, 0, high, [(budget, f"{budget:g} ms")])
         level = room.bottom - 1 - round(budget / high * (room.height - 1))
         strokes.append((draw_list.fill, (room.x, level, room.width, self._display.theme.px(1)), look.EDGE))
-        lines = charts.curves(room, [each.seconds for each in samples], [(numbers, look.DIM)], 0, high)
+        lines = charts.curves(room, [([each.seconds for each in samples], numbers, look.DIM)], 0, high)
         return strokes + figures + lines
 
     def _audit(self, rect):

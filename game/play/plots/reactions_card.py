@@ -37,7 +37,7 @@ def reactions_card(theme, rect, nows, reactions, speed):
         if course:
             curve = pygame.Rect(words[0] + words[2] + theme.px(2), row.y + 2, course - theme.px(4), high - 4)
             most = max(numbers[1:], default=0)
-            strokes += charts.curves(curve, nows, [(numbers, look.ACCENT)], 0, most or 1)
+            strokes += charts.curves(curve, [(nows, numbers, look.ACCENT)], 0, most or 1)
     return strokes
 
 

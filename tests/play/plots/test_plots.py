@@ -9,7 +9,7 @@ import pygame
 import pytest
 
 from game import load_rule
-from game.play.plots import charts, material_cards
+from game.play.plots import charts, comparison_cards, material_cards
 from game.play.plots.reactions_card import figure
 from game.play.ui import draw_list
 from game.play.ui import theme as look
@@ -441,3 +441,25 @@ def test_the_cards_of_a_world_with_all_materials_of_alchemy_can_be_read(size, pa
         assert area.contains(rect) and rect.height >= 0.9 * theme.line_height(kind), text
         assert theme.width(text, kind) <= rect.width, text
     pygame.display.quit()
+
+
+def test_a_curve_lies_at_its_own_iterations_be_they_fewer_than_those_of_others():
+    series = [([0, 4, 10], [0.0, 0.5, 1.0], look.ACCENT), ([5], [1.0], look.RING), ([], [], look.DIM)]
+    drawn = charts.curves(pygame.Rect(0, 0, 101, 101), series, 0, 1)
+    assert [(points, colour) for _, _, points, colour in drawn] == [
+        (((0, 100), (40, 50), (100, 0)), look.ACCENT),
+        (((50, 0),), look.RING),
+    ]
+    assert charts.curves(pygame.Rect(0, 0, 9, 9), [([], [], look.DIM)], 0, 1) == []
+
+
+def test_worlds_that_were_measured_at_other_iterations_are_compared(player):
+    measured = {name: measurements.Measurements(player.session, 10) for name in ("one", "other")}
+    for name in ("one", "one", "other", "one"):
+        player.session.timeline.run(5)
+        measured[name].follow(0.0, 0.0)
+    colours = {"one": look.ACCENT, "other": look.RING}
+    for quantity in comparison_cards.quantities(measured["one"]):
+        room = pygame.Rect(0, 0, 600, 400)
+        strokes = comparison_cards.comparison_card(Theme(1.0), room, quantity, measured, colours)
+        assert f"iteration {player.session.now:,}" in [stroke[2] for stroke in strokes if stroke[0] is draw_list.words]
