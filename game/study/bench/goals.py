@@ -22,7 +22,7 @@ WATER = 2.2  # times the iteration of sand, with water besides
 FRAME_MS = 16.0  # 99 of 100 frames, all their iterations run
 WARM_S = 1.0  # from the command to the first frame
 COLD_SPLASH_S = 1.0  # from the command to the splash, no kernel compiled before
-COLD_S = 10.0  # from the command to the first frame, no kernel compiled before
+COLD_S = 5.0  # from the command to the first frame, no kernel compiled before
 PLANES_MB = 200.0  # of the largest lattice
 
 
