@@ -61,10 +61,10 @@ def test_lost_grains_or_a_missed_budget_end_with_status_1():
     assert headless.status(good | {"within_budget": False}) == 1
 
 
-def test_json_is_one_object_with_every_field():
-    done = command("headless", "--scene", "paper", "--frames", "12", "--p", "0.5", "--seed", "3", "--json")
-    report = json.loads(done.stdout)
-    assert done.returncode == 0 and set(report) == FIELDS
+def test_json_is_one_object_with_every_field(capsys):
+    status = cli.main(["headless", "--scene", "paper", "--frames", "12", "--p", "0.5", "--seed", "3", "--json"])
+    report = json.loads(capsys.readouterr().out)
+    assert status == 0 and set(report) == FIELDS
     assert report["scene"] == "paper" and report["frames"] == 12 and report["cells"] == 61 * 61
     assert set(report["frame_ms"]) == {"median", "p99", "max"}
 

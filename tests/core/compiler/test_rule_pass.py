@@ -87,7 +87,7 @@ def test_what_disagrees_with_its_table_is_tried_a_word_at_a_time_and_else_refuse
         pass_of(SAND.table, (0.5,) * 7, 6)
 
 
-@pytest.mark.parametrize("schedule", SCHEDULES)
+@sweep("schedule", SCHEDULES, keep=["balanced"])
 def test_skipping_and_skewing_change_no_bit_of_any_rule(schedule):
     generator = np.random.default_rng(71)
     table = random_table(generator, 3)

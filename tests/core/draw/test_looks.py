@@ -34,7 +34,7 @@ def codes_at_random(generator, shape, substances):
 
 
 @pytest.mark.parametrize("shape", SHAPES_OF_LATTICES)
-@sweep("seed", range(8), keep=range(3))
+@sweep("seed", range(8), keep=[0])
 @pytest.mark.parametrize("made_of", ["stone", "glass"])
 def test_any_materials_look_as_what_lies_around_them_says(shape, seed, made_of):
     generator, colours = np.random.default_rng(seed), list(THEMES.values())[seed % 3]
@@ -48,7 +48,7 @@ def test_any_materials_look_as_what_lies_around_them_says(shape, seed, made_of):
     assert (pixels == palette(colours, made_of, substances=substances)[looks, texture()[rows, columns]]).all()
 
 
-@pytest.mark.parametrize("seed", range(6))
+@sweep("seed", range(6), keep=[0, 1])
 def test_a_pixel_of_many_cells_of_any_materials_has_their_mean_light(seed):
     generator = np.random.default_rng(seed)
     substances, shape = random_substances(generator), (64, 400)

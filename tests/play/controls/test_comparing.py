@@ -15,6 +15,7 @@ from game.world.sand.ensemble import counts_at
 from game.world.sessions.action import SetRule
 from game.world.sessions.comparison import Comparison
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 SHIFT = pygame.KMOD_SHIFT
 LONG_S = 30.0
@@ -154,7 +155,7 @@ def test_differences_need_worlds_side_by_side_and_follow_each_iteration(paper):
         assert paper.parts.display.sand_view.titles()[name][1] == f"{counts[name]:,} cells differ"
 
 
-@pytest.mark.parametrize("started_at", [0, 30])
+@sweep("started_at", [0, 30], keep=[30])
 def test_density_is_that_of_many_runs_from_the_scenes_start_whenever_it_is_opened(paper, started_at):
     for _ in range(started_at):
         paper.key(pygame.K_PERIOD, ".")

@@ -8,6 +8,7 @@ from game.play.ui import large_words
 from game.play.ui import theme as look
 from game.play.ui.theme import Theme
 from game.play.window.large_pointer import picture
+from tests.sweeps import sweep
 
 SIZES = ((640, 480), 1), ((1280, 720), 1), ((1280, 720), 2), ((1920, 1080), 1), ((3840, 2160), 1.5)
 SMALLEST = 0.02  # of the window's height, of any letter on the stage
@@ -38,7 +39,7 @@ def texts(player):
     return " ".join(text for _, text, _ in told(player))
 
 
-@pytest.mark.parametrize(("size", "scale"), SIZES)
+@sweep(("size", "scale"), SIZES, keep=[SIZES[0], SIZES[2]])
 def test_what_was_chosen_is_read_across_a_room_and_nothing_small_is_left(glass, size, scale):
     resized(glass, size, scale)
     glass.hold_time()

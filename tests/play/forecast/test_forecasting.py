@@ -20,6 +20,7 @@ from game.world.looks.view import View
 from game.world.sand.ensemble import Cancelled, counts_at
 from game.world.sessions.action import Flip, SetRule
 from tests.play.player import FRAME_NS, Player
+from tests.sweeps import sweep
 
 
 @pytest.fixture
@@ -279,7 +280,7 @@ def test_the_legend_is_as_high_as_its_lines_and_leaves_nothing_of_more(paper):
     assert heights[0] - heights[1] == paper.parts.display.theme.line_height(look.SMALL)
 
 
-@pytest.mark.parametrize("theme", THEMES)
+@sweep("theme", THEMES, keep=["night"])
 def test_never_and_always_have_the_same_colours_in_the_legend_and_in_the_picture(paper, theme):
     paper.parts.settings.override("theme", theme)
     answer, bar = see_forecast(paper), pygame.Surface((256, 1))

@@ -13,12 +13,13 @@ from game.play.ui import draw_list
 from game.play.ui.theme import Theme
 from game.play.view.dialog import Answer
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 SIZES = (640, 480), (1280, 720), (3840, 2160)
 SCALES = 0.75, 1, 1.5, 3
 
 
-@pytest.mark.parametrize("scale", SCALES)
+@sweep("scale", SCALES, keep=[SCALES[0], SCALES[-1]])
 @pytest.mark.parametrize("size", SIZES)
 def test_every_key_is_on_the_page_and_none_is_cut_or_covered(size, scale):
     window = pygame.Rect((0, 0), size)

@@ -130,7 +130,11 @@ def written(player):
     return [each for each in player.written() if each[0].colliderect(player.parts.display.layout.plots)]
 
 
-@pytest.mark.parametrize(("size", "scale"), [((1280, 720), 0.75), ((1280, 720), 1), ((2560, 1600), 2)])
+@sweep(
+    ("size", "scale"),
+    [((1280, 720), 0.75), ((1280, 720), 1), ((2560, 1600), 2)],
+    keep=[((1280, 720), 0.75)],
+)
 def test_each_plot_has_a_scale_from_zero_to_a_round_figure_and_the_budget_is_named(size, scale):
     player = coloured(size, scale, 1)
     area, drawn = player.parts.display.layout.plots, player.drawn()
@@ -301,7 +305,11 @@ def test_a_sum_that_some_events_may_change_says_which_and_by_how_much(monkeypatc
     pygame.display.quit()
 
 
-@pytest.mark.parametrize(("first", "then"), [("sand", "alchemy"), ("alchemy", "water-and-oil"), ("alchemy", "sand")])
+@sweep(
+    ("first", "then"),
+    [("sand", "alchemy"), ("alchemy", "water-and-oil"), ("alchemy", "sand")],
+    keep=[("alchemy", "water-and-oil")],
+)
 def test_plots_begin_anew_when_the_rule_brings_other_materials(first, then):
     player = Player("blank", (1280, 720))
     player.session.do(SetRule(load_rule(first)))

@@ -1,13 +1,15 @@
 """The view of the sand: the outermost cells lie inside the lattice's box, with nothing of them beside it."""
 
+from itertools import product
+
 import numpy as np
 import pygame
-import pytest
 
 from game.world.looks.themes import THEMES
 from game.world.looks.view import View
 from game.world.sessions.action import Draw
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 ALL = (0.5, 0.5), (119.5, 89.5)  # from the first cell to the last
 
@@ -18,8 +20,7 @@ def shown(player):
     return pygame.surfarray.array2d(player.parts.window.surface).T
 
 
-@pytest.mark.parametrize("theme", THEMES)
-@pytest.mark.parametrize("pixels", [1, 3.5, 10])
+@sweep(("pixels", "theme"), product([1, 3.5, 10], THEMES), keep=[(1, "night"), (3.5, "day"), (10, "high-contrast")])
 def test_the_outermost_cells_fill_their_box_and_nothing_of_them_lies_beside_it(theme, pixels):
     player = Player()
     player.parts.settings.override("theme", theme)

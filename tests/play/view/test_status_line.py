@@ -146,8 +146,8 @@ def test_a_click_on_the_line_keeps_the_figures(glass):
     assert not glass.parts.stats_card.shown
 
 
-@pytest.mark.parametrize("size", [(640, 480), (1280, 720)])
-@pytest.mark.parametrize("scale", [0.75, 1, 3])
+@sweep("size", [(640, 480), (1280, 720)], keep=[(640, 480)])
+@sweep("scale", [0.75, 1, 3], keep=[0.75, 3])
 def test_a_line_is_read_to_its_end_and_leaves_the_state_its_row(glass, size, scale):
     glass.parts.settings.override("ui_scale", scale)
     pygame.display.set_mode(size, pygame.RESIZABLE, 32)

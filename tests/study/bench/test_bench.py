@@ -236,8 +236,8 @@ def test_the_stages_of_a_frame_add_up_to_the_frame(monkeypatch, tables):
     assert sum(row[stage] for stage in frames.STAGES) == pytest.approx(reports[0]["frame_ms"]["mean"])
 
 
-def test_a_start_has_its_marks_in_order():
-    (row,) = start_up.start_table(TINY).tables[0].rows
+def test_a_start_has_its_marks_in_order(tables):
+    (row,) = tables["start"].tables[0].rows
     assert 0 < row["imported"] <= row["window"] <= row["splash"] <= row["playing"]
 
 

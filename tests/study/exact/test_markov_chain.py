@@ -99,7 +99,7 @@ def test_float_chances_are_those_in_fractions(name, schedule):
     assert all(last[state] == pytest.approx(float(chance), rel=1e-12, abs=0) for state, chance in exact.items())
 
 
-@pytest.mark.parametrize("name", LATTICES)
+@sweep("name", LATTICES, keep=["walls in every role", "neck of two cells", "pegs"])
 def test_chances_add_up_to_one_and_grains_to_their_number(name):
     rows = LATTICES[name]
     found = explore(rows, SCHEDULES["paper"])

@@ -39,7 +39,7 @@ def test_it_reads_what_the_plain_twin_reads(name):
         assert found == pytest.approx(wanted, abs=1e-12), block
 
 
-@pytest.mark.parametrize("schedule", SCHEDULES)
+@sweep("schedule", SCHEDULES, keep=["balanced"])
 @pytest.mark.parametrize("name", ["tower at the left edge", "walls in every role", "single column"])
 def test_the_chain_of_sands_pictures_is_that_of_sand_in_words(name, schedule):
     rows, rule = LATTICES_OF_SAND[name], pictures("sand", dict(zip(KINDS, SEVEN, strict=True)))
@@ -105,7 +105,7 @@ def test_a_lattice_with_too_many_states_for_a_number_is_refused():
         PictureChain(["." * 17], pictures("alchemy"), SCHEDULES["paper"])
 
 
-@sweep("name", LATTICES, keep=["water-and-oil", "three-sands"])
+@sweep("name", LATTICES, keep=["three-sands"])
 def test_the_lattices_come_to_every_event_of_their_rule_that_its_materials_can_have(name):
     rule = pictures(name)
     missing = {event.name for event in rule.events}

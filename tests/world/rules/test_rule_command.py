@@ -8,6 +8,7 @@ from PIL import Image
 
 from game import cli, load_rule, rule_names
 from game.core.compiler.plan import gate_count, kinds_of, plan
+from tests.sweeps import sweep
 from tests.world.rules.small_rule import TEXT, written
 
 
@@ -32,7 +33,7 @@ def test_words_are_these(tmp_path, capsys):
     assert "  flow: M.flow, mirrored too\n    M. -> .M\n    ##    ##\n" in told
 
 
-@pytest.mark.parametrize("name", rule_names())
+@sweep("name", rule_names(), keep=["sand", "water-and-oil"])
 def test_a_rule_is_drawn(name, tmp_path):
     assert cli.main(["rule", name, "--out", str(tmp_path / "rule.png")]) == 0
     with Image.open(tmp_path / "rule.png") as image:

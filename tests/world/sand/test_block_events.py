@@ -10,6 +10,7 @@ from game.world.sand.block_events import CORNERS, coming_events, happened, moves
 from game.world.sand.crop import CropBox
 from tests import reference
 from tests.cells import NAMES, random_world, rows_of
+from tests.sweeps import sweep
 
 
 def twins_events(world, rule):
@@ -28,7 +29,7 @@ def twins_events(world, rule):
     return found
 
 
-@pytest.mark.parametrize("schedule", SCHEDULES)
+@sweep("schedule", SCHEDULES, keep=["balanced"])
 @pytest.mark.parametrize("shape", [(1, 1), (2, 3), (9, 14), (31, 130)])
 def test_every_block_is_said_to_do_what_the_twin_does(schedule, shape):
     generator = np.random.default_rng(1)
@@ -62,7 +63,7 @@ def test_what_moves_in_a_block_comes_from_where_it_was_and_what_becomes_is_marke
     assert moves_between(state_of((1, 2, 0, 0), 2), state_of((2, 2, 0, 0), 2), 2) == (((0, 0), (0, 0)),)
 
 
-@pytest.mark.parametrize("name", ["water-and-oil", "alchemy", "three-sands"])
+@sweep("name", ["water-and-oil", "alchemy", "three-sands"], keep=["water-and-oil"])
 def test_blocks_of_any_rule_do_one_of_the_things_said_or_nothing(name):
     rule, generator = load_rule(name), np.random.default_rng(5)
     world = World.from_materials(generator.integers(0, len(rule.materials), (21, 34), np.uint8), rule)

@@ -19,6 +19,7 @@ from game.world.sessions.session import Session
 from game.world.sessions.snapshots import Snapshot
 from tests.cells import random_world, rows_of, world_of
 from tests.saved import load_picture
+from tests.sweeps import sweep
 from tests.world.random_sessions import fixtures
 
 RULE = Rule.with_p(0.6, "balanced")
@@ -64,7 +65,7 @@ def test_what_fixtures_do_does_not_depend_on_how_iterations_are_split(number, fi
     assert [sum(each) for each in traffic] == [sum(sum(part[k]) for part in passed) for k in range(2)]
 
 
-@pytest.mark.parametrize("rule", [Rule(schedule="balanced"), RULE])
+@sweep("rule", [Rule(schedule="balanced"), RULE], keep=[RULE])
 @pytest.mark.parametrize("kind", [TAP, DRAIN])
 @pytest.mark.parametrize("offset", [-1, 0])
 def test_sand_at_rest_moves_where_a_fixture_acts_at_the_border_of_a_band(rule, kind, offset):

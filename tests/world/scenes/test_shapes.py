@@ -10,6 +10,7 @@ from game.world.scenes import scene
 from game.world.scenes.cell_arrays import palette_of
 from game.world.scenes.scene import load_scene
 from game.world.scenes.shapes import MOST_WORK, Scale, read_shapes, work_of
+from tests.sweeps import sweep
 from tests.world.scenes.test_scene import SIZE, complaint, drawn, loaded
 
 
@@ -79,7 +80,7 @@ def test_the_work_of_a_scene_is_bounded_whatever_its_shapes(tmp_path, monkeypatc
         assert not painted  # it is refused before any of it is painted
 
 
-@pytest.mark.parametrize("name", scene.scene_names())
+@sweep("name", scene.scene_names(), keep=["hourglass", "garden", "city"])
 def test_every_shipped_scene_can_be_painted_on_the_largest_lattice(name):
     table = read_table(asset("scenes", f"{name}.toml"))
     scale = Scale(

@@ -2,8 +2,6 @@
 
 import base64
 import json
-import subprocess
-import sys
 import tracemalloc
 import zlib
 from dataclasses import replace
@@ -326,23 +324,16 @@ def test_a_replay_ends_at_the_present_moment_of_the_present_line(tmp_path):
     assert session.reached == 20, "saving changes nothing"
 
 
-def command(*arguments):
-    """Run main.py headless as a person would."""
-    return subprocess.run(
-        [sys.executable, "main.py", "headless", *arguments], cwd=ROOT, capture_output=True, text=True, check=False
-    )
-
-
-def test_headless_replays_a_file(tmp_path):
+def test_headless_replays_a_file(tmp_path, capsys):
     demo = asset("replays", "builder.sandglass")
-    done = command("--replay", str(demo), "--json")
-    report = json.loads(done.stdout)
-    assert done.returncode == 0 and report["digest"] == GOLDEN["builder"] and report["same"] is True
+    status = cli.main(["headless", "--replay", str(demo), "--json"])
+    report = json.loads(capsys.readouterr().out)
+    assert status == 0 and report["digest"] == GOLDEN["builder"] and report["same"] is True
     cut = tmp_path / "cut.sandglass"
     cut.write_bytes(demo.read_bytes()[:-30])
-    done = command("--replay", str(cut))
-    assert done.returncode == 1 and done.stderr.count("\n") == 1 and "it was cut short" in done.stderr
-    assert "not as recorded" in done.stdout
+    status, said = cli.main(["headless", "--replay", str(cut)]), capsys.readouterr()
+    assert status == 1 and said.err.count("\n") == 1 and "it was cut short" in said.err
+    assert "not as recorded" in said.out
 
 
 @pytest.mark.parametrize(("name", "words"), [("none.sandglass", "no such file"), (".", "wanted an ordinary file")])
