@@ -83,7 +83,7 @@ def test_each_colour_is_conserved_and_the_cells_evolve_as_without(kind, schedule
 
 @sweep("rule", SKIPPING_RULES.values(), keep=[SKIPPING_RULES["topples"], SKIPPING_RULES["seven"]])
 @pytest.mark.parametrize("shape", [(1300, 300), (70, 8000)])
-@pytest.mark.parametrize("sand", [0.003, 0.3])
+@sweep("sand", [0.003, 0.3], keep=[0.3])
 def test_skipping_and_skewing_change_no_colour(rule, shape, sand):
     generator = np.random.default_rng(52)
     world = coloured(random_world(generator, *shape, seed=3, sand=sand, walls=0.05), generator)

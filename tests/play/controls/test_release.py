@@ -1,7 +1,6 @@
 """Laws of letting go: what is held does not stay held when nobody hears the button or the key come up."""
 
 import pygame
-import pytest
 
 from tests.play.player import Player
 from tests.sweeps import sweep
@@ -65,7 +64,7 @@ def lose_focus(player):
     player.frame(pygame.event.Event(pygame.WINDOWFOCUSLOST))
 
 
-@pytest.mark.parametrize("hold", BUTTONS)
+@sweep("hold", BUTTONS, keep=[brush, slider])
 @sweep("key", [pygame.K_F1, pygame.K_F2, pygame.K_p], keep=[pygame.K_F1])
 def test_what_a_button_holds_is_let_go_of_when_a_page_opens_or_the_panel_goes(glass, key, hold):
     glass.wait(20)
@@ -89,7 +88,7 @@ def test_what_a_button_holds_is_let_go_of_when_a_page_opens_or_the_panel_goes(gl
     assert glass.session.paused
 
 
-@pytest.mark.parametrize("hold", [*BUTTONS, *KEYS])
+@sweep("hold", [*BUTTONS, *KEYS], keep=[lattice, time_bar, forward_key])
 def test_what_is_held_is_let_go_of_when_the_window_loses_the_focus(glass, hold):
     glass.wait(20)
     hold(glass)

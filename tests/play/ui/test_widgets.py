@@ -513,7 +513,7 @@ def test_a_control_left_as_it_was_is_as_one_laid_out_anew(seed):
     for hand, way, frames in zip(hands, ways, seen, strict=True):
         panel = Panel(height=420)
         with mock.patch.object(Ui, "kept", way):
-            for _ in range(150):
+            for _ in range(60):
                 change(panel, hand)
                 events = [any_event(hand, panel) for _ in range(hand.choice((0, 0, 1, 2)))]
                 rest = panel.frame(*events, wait_s=hand.choice((0, 0.4)))

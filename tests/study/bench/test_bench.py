@@ -84,7 +84,7 @@ def test_every_peer_is_the_plain_twin_where_nothing_is_left_to_chance(peer, sche
         assert (sand(cells) == after).all(), world.shape
 
 
-@pytest.mark.parametrize("schedule", reference.SCHEDULES)
+@sweep("schedule", reference.SCHEDULES, keep=["balanced"])
 def test_the_bench_has_the_plain_twin_s_chance_for_all_seven_probabilities(schedule):
     generator = np.random.default_rng(51)
     rule = Rule(0.9, 0.2, 0.7, 0.55, 0.35, 0.61803398875, 0.15, schedule)

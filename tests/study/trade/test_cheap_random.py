@@ -36,7 +36,7 @@ def test_without_chance_the_plain_kernel_moves_sand_as_the_toy_does(source, sche
 
 
 def test_with_fresh_draws_it_agrees_with_the_toy_and_with_fixed_noise_it_does_not():
-    scene, many = load_scene("paper"), 2**16
+    scene, many = load_scene("paper"), 2**14
     reference = density(scene.world(), Rule.with_p(0.7, "balanced"), 200, many)
     floor = floor_of(reference, RUNS, many)
     rms = {}

@@ -39,7 +39,7 @@ def test_without_chance_the_density_is_the_single_world(schedule):
         assert (density(begun, Rule(schedule=schedule), 33, runs=1000) == world.sand).all()
 
 
-@pytest.mark.parametrize("rule", [Rule.with_p(0.3), Rule(0.75, 0.25, schedule="balanced"), SEVEN])
+@sweep("rule", [Rule.with_p(0.3), Rule(0.75, 0.25, schedule="balanced"), SEVEN], keep=[SEVEN])
 def test_the_single_world_run_2000_times_agrees_within_error_bars(rule):
     world = random_world(np.random.default_rng(51), 14, 17, sand=0.5, walls=0.1)
     runs, moment = 2000, 9

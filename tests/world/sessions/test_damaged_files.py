@@ -18,7 +18,7 @@ from tests.sweeps import sweep
 from tests.world.random_sessions import SCENES
 from tests.world.sessions.test_recording import sample, values_of
 
-INPUTS = 100, 400  # in a quick run, and in a sweep
+INPUTS = 40, 400  # in a quick run, and in a sweep
 FARTHEST = 5000  # iterations: no further is played what a file tells
 PIECES = [b"{", b"}", b"[", b"]", b'"', b",", b":", b"\n", b"\0", b"\xff", b"null", b"NaN", b"1e999", b"-1", b"9" * 400]
 VALUES = [None, True, -1, 0, 1, 2**53, 2**64, 1e308, float("nan"), "", "sand", "undo", "x" * 300, [], {}, [[]], [1, 2]]

@@ -7,6 +7,7 @@ import pytest
 from game.play.view.overlays.block_overlay import part_in_sight
 from game.world.looks.view import View
 from game.world.sand.block_events import coming_events
+from tests.sweeps import sweep
 
 
 @pytest.fixture
@@ -47,7 +48,7 @@ def test_they_are_hidden_from_afar_and_while_time_runs(close):
     assert not close.parts.block_overlay.shown
 
 
-@pytest.mark.parametrize(("pixels", "large_enough"), [(7.9, False), (8, True), (10, True)])
+@sweep(("pixels", "large_enough"), [(7.9, False), (8, True), (10, True)], keep=[(7.9, False), (8, True)])
 def test_they_are_shown_in_cells_of_eight_pixels_and_who_is_further_away_is_told(close, pixels, large_enough):
     sand_view = close.parts.display.sand_view
     sand_view.show(View.near(sand_view.view.shape, sand_view.area, pixels, (100, 60), *sand_view.area.center))
