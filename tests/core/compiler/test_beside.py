@@ -38,9 +38,10 @@ def test_where_nothing_is_kept_or_no_interpreter_is_at_hand_no_process_is_starte
     with monkeypatch.context() as patch, pytest.raises(OSError, match="no process"):
         patch.setattr(jit, "_FOLDER", None)
         run_beside(print)
-    monkeypatch.setattr(sys, "frozen", True, raising=False)
-    with pytest.raises(OSError, match="no process"):
-        run_beside(print)
+    for program in ("/opt/engine/engine", "", None):
+        monkeypatch.setattr(sys, "executable", program)
+        with pytest.raises(OSError, match="no process"):
+            run_beside(print)
 
 
 def test_a_large_rule_is_made_by_another_process_and_only_taken_here(monkeypatch):
