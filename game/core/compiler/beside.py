@@ -39,7 +39,9 @@ def run_beside(act, *arguments):
     Both can be pickled. Raises OSError where there can be no such process, or nothing is kept.
     """
     folder = jit.folder()
-    if folder is None or not Path(sys.executable or "").stem.startswith("python"):  # but a program that has it built in
+    if folder is None or not Path(sys.executable or "").stem.lower().startswith(
+        "python"
+    ):  # but a program that has it built in
         raise OSError("no process beside this one would do any good")
     path = os.pathsep.join(filter(None, [str(_ROOT), os.environ.get("PYTHONPATH")]))
     with tempfile.TemporaryFile() as handed:
