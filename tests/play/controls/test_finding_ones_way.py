@@ -8,6 +8,7 @@ from game.play.controls import keymap
 from game.play.controls.view_buttons import BUTTONS
 from tests.play.panel.test_panel import seen
 from tests.play.player import Player, words_of
+from tests.sweeps import sweep
 
 WINDOWS = ((640, 480), 1), ((1280, 720), 1), ((1280, 720), 2), ((3840, 2160), 1.5)
 ZOOM_OUT, ZOOM_IN, ALL, SCREEN = range(4)
@@ -39,7 +40,7 @@ def middle(player):
     return view(player).place(*player.parts.display.sand_view.area.center)
 
 
-@pytest.mark.parametrize(("size", "scale"), WINDOWS)
+@sweep(("size", "scale"), WINDOWS, keep=[WINDOWS[0], WINDOWS[-1]])
 def test_the_buttons_zoom_about_the_middle_and_show_all_again(still, size, scale):
     seen(still, size, scale)
     whole, before = view(still).cell, middle(still)
@@ -84,7 +85,7 @@ def test_every_button_says_what_it_does_and_the_key_that_does_it_too(still):
     assert not still.parts.view_buttons.words
 
 
-@pytest.mark.parametrize(("size", "scale"), WINDOWS)
+@sweep(("size", "scale"), WINDOWS, keep=[WINDOWS[0], WINDOWS[-1]])
 def test_the_map_is_there_only_while_a_part_is_in_sight_and_leaves_most_of_the_sand_free(still, size, scale):
     seen(still, size, scale)
     assert not still.parts.minimap.shown

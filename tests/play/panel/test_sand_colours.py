@@ -7,6 +7,7 @@ from game.world.sand.sand_colours import COLOURS, DYES, RAINBOW
 from game.world.sessions.recording import parse
 from game.world.sessions.session import Session
 from tests.saved import recording_of, to_bytes
+from tests.sweeps import sweep
 
 
 @pytest.fixture
@@ -20,7 +21,7 @@ def stroke(player, row=20):
     player.drag(player.pixel(20, row), player.pixel(90, row))
 
 
-@pytest.mark.parametrize("colour", DYES)
+@sweep("colour", DYES, keep=[DYES[0], DYES[-1]])
 def test_sand_is_painted_in_the_colour_chosen(still, colour):
     still.parts.brush.dip(colour)
     stroke(still)

@@ -8,6 +8,7 @@ from game.world.sessions.action import ANCHORS, Paint
 from game.world.sessions.recording import parse
 from game.world.sessions.session import Session
 from tests.saved import recording_of, to_bytes
+from tests.sweeps import sweep
 
 CTRL = pygame.KMOD_LCTRL
 
@@ -87,7 +88,7 @@ def test_a_canvas_can_be_of_another_rule(still):
     assert still.session.rule.definition.name == "water-and-oil" and still.world.shape == (90, 120)
 
 
-@pytest.mark.parametrize("typed", ["0", "-3", "99999", "wide", "1e3", ""])
+@sweep("typed", ["0", "-3", "99999", "wide", "1e3", ""], keep=["0", "99999", "wide"])
 def test_a_size_that_no_lattice_has_costs_one_line(still, typed):
     before = still.world.digest()
     still.key(pygame.K_r, mod=CTRL)

@@ -8,6 +8,7 @@ from game.play import loop
 from game.play.storage.window_glass import REST_S
 from game.world.scenes.scene import load_scene
 from tests.play.player import Player
+from tests.sweeps import sweep
 
 SMALL, LARGE = (900, 700), (1600, 1000)
 
@@ -47,21 +48,20 @@ def test_it_follows_a_window_that_goes_on_growing_and_not_one_that_shrinks(playe
     assert shapes[0] < shapes[1] == shapes[2]
 
 
-@pytest.mark.parametrize(
-    "touch",
-    [
-        lambda player: player.drag(player.pixel(90, 20), player.pixel(100, 30)),
-        lambda player: player.key(pygame.K_f),
-        lambda player: player.key(pygame.K_PLUS),
-        lambda player: player.key(pygame.K_SPACE),
-        lambda player: player.parts.timer.start(),
-        lambda player: player.key(pygame.K_g),
-        lambda player: player.parts.sessions.load("funnel"),
-    ],
-    ids=["paint", "flip", "faster", "pause", "timer", "record", "scene"],
-)
+TOUCHES = {
+    "paint": lambda player: player.drag(player.pixel(90, 20), player.pixel(100, 30)),
+    "flip": lambda player: player.key(pygame.K_f),
+    "faster": lambda player: player.key(pygame.K_PLUS),
+    "pause": lambda player: player.key(pygame.K_SPACE),
+    "timer": lambda player: player.parts.timer.start(),
+    "record": lambda player: player.key(pygame.K_g),
+    "scene": lambda player: player.parts.sessions.load("funnel"),
+}
+
+
+@sweep("touch", TOUCHES, keep=["paint", "flip", "timer"])
 def test_a_glass_that_was_touched_stays(player, touch):
-    touch(player)
+    TOUCHES[touch](player)
     player.wait(2)
     shape, session = player.world.shape, player.session
     grow(player)

@@ -12,7 +12,7 @@ from tests.sweeps import sweep
 from tests.world.rules.small_rule import TEXT, written
 
 
-@pytest.mark.parametrize("name", rule_names())
+@sweep("name", rule_names(), keep=["sand", "alchemy"])
 def test_all_of_a_rule_is_told(name, capsys):
     assert cli.main(["rule", name]) == 0
     told, rule = capsys.readouterr().out, load_rule(name)
