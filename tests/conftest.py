@@ -40,7 +40,7 @@ Dispatcher.compile = compile_once
 
 steady = settings(derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 settings.register_profile("few examples", steady, max_examples=10)
-settings.register_profile("many examples", steady, max_examples=60)
+settings.register_profile("many examples", steady, max_examples=100)
 
 
 def is_sweep(config):
