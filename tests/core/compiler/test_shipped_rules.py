@@ -14,7 +14,7 @@ from tests.core.compiler.test_rule_pass import Lattice
 from tests.sweeps import sweep
 
 
-@sweep("name", rule_names(), keep=["sand", "alchemy"])
+@sweep("name", rule_names(), keep=["sand", "water-and-oil"])
 def test_a_lattice_goes_as_its_pictures_say(name):
     rule, twin = load_rule(name), reference.Pictures(asset("rules", f"{name}.toml"))
     letters = np.array([each.letter for each in rule.definition.materials])
