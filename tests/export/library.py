@@ -107,10 +107,11 @@ def compiler_of(build):
 
 
 def compiled(header, build, folder):
-    """Return the Library of the text of a header."""
+    """Return the Library of the text of a header; linked apart, for with -ffast-math it would change this process."""
     (folder / "sandglass.h").write_text(header, encoding="utf-8")
     (folder / "shim.c").write_text(SHIM, encoding="utf-8")
-    run(*compiler_of(build), *STRICT, "-shared", "-fPIC", "shim.c", "-o", "shim.so", cwd=folder)
+    run(*compiler_of(build), *STRICT, "-fPIC", "-c", "shim.c", cwd=folder)
+    run(compiler_of(build)[0], "-shared", "shim.o", "-o", "shim.so", cwd=folder)
     return Library(folder / "shim.so")
 
 
