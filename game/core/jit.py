@@ -146,7 +146,7 @@ def keep(key, dump, start="", kind="rule"):
         if path:
             write_sealed(path, dump())
             _drop_oldest(path.parent)
-    except OSError as error:
+    except Exception as error:  # a full disk, or what cannot be pickled
         _note(path, f"cannot keep a compiled {kind}", error)
 
 

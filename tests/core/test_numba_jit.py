@@ -45,6 +45,11 @@ def test_a_kernel_that_is_not_what_it_was_packed_as_is_compiled_again(cache, mon
     assert not was_kept() and "division by zero" in jit.trouble()
 
 
+def test_a_kernel_that_cannot_be_packed_is_only_not_kept(cache, monkeypatch):
+    monkeypatch.setattr(numba_jit, "dumps", lambda _: 1 / 0)
+    assert not was_kept() and "cannot keep a compiled kernel: division by zero" in jit.trouble()
+
+
 def test_a_folder_that_cannot_be_written_is_no_trouble_to_the_sand(cache):
     cache.write_text("not a folder")
     assert not was_kept() and jit.trouble()
