@@ -23,30 +23,25 @@ def features():
     return llvm.get_host_cpu_features().flatten()
 
 
+def target_machine(**options):
+    """Return a new description of this machine, for one owner; options: those of llvmlite's create_target_machine."""
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    cpu = llvm.get_host_cpu_name()
+    return llvm.Target.from_default_triple().create_target_machine(cpu=cpu, features=features(), **options)
+
+
 def compiled(text):
     """Return the machine code of LLVM IR, as bytes; it is taken as it is written."""
-    _initialize()
-    features = llvm.get_host_cpu_features().flatten()
-    machine = llvm.Target.from_default_triple().create_target_machine(
-        cpu=llvm.get_host_cpu_name(), features=features, opt=2
-    )
-    return machine.emit_object(llvm.parse_assembly(text))
+    return target_machine(opt=2).emit_object(llvm.parse_assembly(text))
 
 
 class MachineCode:
     """A compiled function; `address` is good as long as this object lives."""
 
     def __init__(self, code, name):
-        """code: what `compiled` returned, on this machine or one like it."""
-        _initialize()
-        self._engine = llvm.create_mcjit_compiler(
-            llvm.parse_assembly(""), llvm.Target.from_default_triple().create_target_machine()
-        )
+        """code: an object file, made on this machine or one like it."""
+        self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), target_machine())
         self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
         self._engine.finalize_object()
         self.address = self._engine.get_function_address(name)
-
-
-def _initialize():
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()

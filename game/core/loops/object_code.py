@@ -5,34 +5,17 @@ from functools import lru_cache
 
 import llvmlite.binding as llvm
 
+from game.core.compiler.machine_code import MachineCode, target_machine
+
 _VECTORISED = 3  # the level of optimisation at which loops become vectors
-
-
-def _machine():
-    """Return a new description of this machine, for one owner."""
-    _initialize()
-    target = llvm.Target.from_default_triple()
-    return target.create_target_machine(
-        cpu=llvm.get_host_cpu_name(),
-        features=llvm.get_host_cpu_features().flatten(),
-        opt=_VECTORISED,
-        reloc="static" if target.name.startswith("x86") else "default",  # as code in memory has to be there
-        jit=True,
-    )
-
-
-@lru_cache(maxsize=1)
-def _initialize():
-    llvm.initialize_native_target()
-    llvm.initialize_native_asmprinter()
-    for name in ("Calloc", "Free"):
-        address = ctypes.cast(getattr(ctypes.pythonapi, f"PyMem_Raw{name}"), ctypes.c_void_p).value
-        llvm.add_symbol(f"sandglass_{name.lower()}", address)
+_RELOCATION = (
+    "static" if llvm.get_process_triple().startswith("x86") else "default"
+)  # as code in memory has to be there
 
 
 def compiled(text):
     """Return the machine code of a module of LLVM IR, optimised, as bytes."""
-    machine = _machine()
+    machine = target_machine(opt=_VECTORISED, reloc=_RELOCATION, jit=True)
     module = llvm.parse_assembly(text)
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
     options = llvm.create_pipeline_tuning_options(speed_level=_VECTORISED)
@@ -42,12 +25,18 @@ def compiled(text):
     return machine.emit_object(module)
 
 
-class ObjectCode:
+class ObjectCode(MachineCode):
     """Machine code in memory, which can be called with the bytes of arguments and room for results."""
 
     def __init__(self, code, name):
-        self._engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
-        self._engine.add_object_file(llvm.ObjectFileRef.from_data(code))
-        self._engine.finalize_object()
-        address = self._engine.get_function_address(name)
-        self.call = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_char_p, ctypes.c_void_p)(address)
+        _lend_memory()
+        super().__init__(code, name)
+        self.call = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_char_p, ctypes.c_void_p)(self.address)
+
+
+@lru_cache(maxsize=1)
+def _lend_memory():
+    """Let kernels find the functions of Python that give and take memory."""
+    for name in ("Calloc", "Free"):
+        address = ctypes.cast(getattr(ctypes.pythonapi, f"PyMem_Raw{name}"), ctypes.c_void_p).value
+        llvm.add_symbol(f"sandglass_{name.lower()}", address)
