@@ -8,9 +8,14 @@ import pickle
 import subprocess
 import sys
 import tempfile
+from contextlib import contextmanager
 from pathlib import Path
+from threading import Lock
 
 from game.core import jit
+
+USUAL_S = sys.getswitchinterval()  # for which a thread keeps the interpreter while another waits for it
+SHORT_S = 0.0001  # … while passes are made: a frame gives it away and wants it back some ten times
 
 _ROOT = Path(__file__).parents[3]  # the folder that `game` lies in
 _CODE = """
@@ -20,6 +25,24 @@ if hasattr(os, "nice"):
 act, arguments = pickle.load(sys.stdin.buffer)
 act(*arguments)
 """
+
+_giving_way = []
+_lock = Lock()
+
+
+@contextmanager
+def giving_way():
+    """Let other threads have the interpreter soon whenever they want it."""
+    with _lock:
+        _giving_way.append(None)
+        sys.setswitchinterval(SHORT_S)
+    try:
+        yield
+    finally:
+        with _lock:
+            _giving_way.pop()
+            if not _giving_way:
+                sys.setswitchinterval(USUAL_S)
 
 
 class Call:

@@ -5,14 +5,13 @@ runs of words hold, and where their gates have cost about as much time as making
 made, in a process beside this one. The cells are the same with any passes.
 """
 
-import sys
-from contextlib import contextmanager, suppress
-from threading import Lock, Thread
+from contextlib import suppress
+from threading import Thread
 from typing import NamedTuple
 
 import numpy as np
 
-from game.core.compiler.beside import Call, run_beside
+from game.core.compiler.beside import Call, giving_way, run_beside
 from game.core.compiler.dispatch import MOST, NOTHING, RUN, cheapest, eventful
 
 LEAST_GATES = 250  # of a rule for which looking at the materials pays
@@ -20,27 +19,6 @@ GATE_S = 0.4e-9  # what a gate costs on one vector of words, about
 MADE_S, MADE_GATE_S = 0.01, 0.2e-3  # what it may have cost before a pass is made, and for each of its gates
 ASKED = 4  # a look at what was counted for so many times that the passes are asked for
 WEIGHED = 128  # sets that are weighed against each other, those with most work
-
-USUAL_S = sys.getswitchinterval()  # for which a thread keeps the interpreter while another waits for it
-SHORT_S = 0.0001  # … while passes are made: a frame gives it away and wants it back some ten times
-
-_giving_way = []
-_lock = Lock()
-
-
-@contextmanager
-def giving_way():
-    """Let other threads have the interpreter soon whenever they want it."""
-    with _lock:
-        _giving_way.append(None)
-        sys.setswitchinterval(SHORT_S)
-    try:
-        yield
-    finally:
-        with _lock:
-            _giving_way.pop()
-            if not _giving_way:
-                sys.setswitchinterval(USUAL_S)
 
 
 class Known(NamedTuple):
@@ -60,11 +38,10 @@ class NarrowPasses:
         make(codes) makes one for some codes, and keeps it; it can be pickled. kept(codes) returns what was kept so, or
         None.
         """
-        self._codes, self._make, self._kept, self._eventful = table.codes, make, kept, eventful(table)
+        self._codes, self._make, self._kept, self._eventful = table.codes, Call(make), kept, eventful(table)
         self.tally = np.zeros(2**table.codes, np.uint32)
         self.known = None  # replaced when there is one more
         self._know((whole,), (2**table.codes - 1,))
-        self._call = Call(make)
         self._asked, self._thread = 0, None  # the one that waits for the process that makes a pass
         self._tried = []  # sets of codes, as bits of numbers, for which a pass was made or could not be
 
@@ -85,24 +62,19 @@ class NarrowPasses:
         if self._thread:
             self._thread.join()
 
-    def narrow(self, codes):
-        """Make the pass for some codes, unless there is one."""
-        self._add(codes, self._make)
-
     def _narrow_beside(self, codes):
         """Have a process make the pass for some codes, and take it; where none can be started the whole one goes on."""
-        with suppress(OSError), giving_way():
-            run_beside(self._call, codes)
-            self._add(codes, self._kept)
+        with suppress(OSError):
+            run_beside(self._make, codes)
+            with giving_way():
+                self._add(codes, self._kept(codes))
 
-    def _add(self, codes, get):
-        """Know the pass get(codes), if there is one; code that disagrees with its table is none."""
+    def _add(self, codes, new):
+        """Know the pass for some codes, if it could be made: code that disagrees with its table is not kept."""
         made, sets, _ = self.known
         number = sum(1 << code for code in codes)
-        if number not in sets and len(made) < MOST:
-            new = get(codes)
-            if new:
-                self._know((*made, new), (*sets, number))
+        if new and number not in sets and len(made) < MOST:
+            self._know((*made, new), (*sets, number))
 
     def _know(self, made, sets):
         self.known = Known(made, sets, cheapest(sets, [each.gates for each in made], self._eventful))

@@ -52,19 +52,12 @@ def pass_of(table, probabilities, payload=0, most_lanes=None):
     return passes.current()
 
 
-def narrow(table, probabilities, codes, most_lanes=None):
-    """Make the pass for lattices, or parts of them, in which some codes only are together, if the rule is large."""
-    passes = _passes(table, probabilities, 0, most_lanes)
-    if passes.narrow:
-        passes.narrow.narrow(codes)
-
-
 def make_beside(table, probabilities):
     """Have the pass of a large RuleTable made and kept by another process, if that can be, and wait for it.
 
     A thread that waits holds nobody up; one that makes such a pass makes frames late.
     """
-    what = table, None, tuple(kinds_of(table, probabilities).items()), 0, lanes()
+    what = table, tuple(kinds_of(table, probabilities).items()), 0, lanes()
     if table.bits == LARGEST_BITS and read(_key(*what), bool) is None:
         with suppress(OSError):
             run_beside(make_pass, *what)
@@ -149,34 +142,29 @@ class _CompiledRule(NamedTuple):
 @lru_cache(maxsize=KEPT)
 def _compiled(table, kinds, payload, most_lanes):
     """Return the _CompiledRule of a table."""
-    whole = make_pass(table, None, kinds, payload, most_lanes)
+    whole = make_pass(table, kinds, payload, most_lanes)
     if payload or whole.gates < LEAST_GATES:
         return _CompiledRule(whole, None, None)
     code = compiled(dispatch.source(table.bits, table.codes, whole.lanes))
-    about = table, kinds, whole.lanes
-    narrow = NarrowPasses(table, whole, partial(make_narrow_pass, *about), partial(_kept_narrow_pass, *about))
+    about = table, kinds, payload, whole.lanes
+    narrow = NarrowPasses(table, whole, partial(make_pass, *about), partial(_kept_pass, *about))
     return _CompiledRule(whole, MachineCode(code, dispatch.NAME), narrow)
 
 
-def make_narrow_pass(table, kinds, lanes, codes):
-    """Return the _MadePass of a table for some of its codes; it is kept between runs."""
-    return make_pass(table, codes, kinds, 0, lanes)
-
-
-def _kept_narrow_pass(table, kinds, lanes, codes):
-    """Return what `make_narrow_pass` has kept before, or None."""
-    before = read(_key(table, codes, kinds, 0, lanes), pickle.loads)
-    return before and _loaded(before)
-
-
-def make_pass(table, codes, kinds, payload, most_lanes):
+def make_pass(table, kinds, payload, most_lanes, codes=None):
     """Return the _MadePass of a table, for some of its codes or, if they are None, all; it is kept between runs."""
-    what = table, codes, kinds, payload, most_lanes
+    what = table, kinds, payload, most_lanes, codes
     return _loaded(kept(_key(*what), partial(_made, *what)))
 
 
-def _key(table, codes, kinds, payload, most_lanes):
-    return f"{table.digest} {codes} {kinds} {payload} {most_lanes} {machine()} {features()}"
+def _kept_pass(*what):
+    """Return what `make_pass` has kept before, or None."""
+    before = read(_key(*what), pickle.loads)
+    return before and _loaded(before)
+
+
+def _key(table, kinds, payload, most_lanes, codes=None):
+    return f"{table.digest} {kinds} {payload} {most_lanes} {codes} {machine()} {features()}"
 
 
 def _loaded(made):
@@ -184,7 +172,7 @@ def _loaded(made):
     return _MadePass(plan, MachineCode(code, NAME), at_once, gates)
 
 
-def _made(table, codes, kinds, payload, most_lanes):
+def _made(table, kinds, payload, most_lanes, codes):
     """Return (Plan without its circuit, words at a time, machine code, gates) of a pass that was checked."""
     table, kinds = table.narrowed(codes) if codes else table, dict(kinds)
     gates = plan(table, {slots: kinds[slots] for slots in thresholds_in(table)})

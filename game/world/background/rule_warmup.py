@@ -1,6 +1,6 @@
 """Makes rules ready beside the frames: what must be compiled before one can be played without a pause."""
 
-from game.core.compiler.narrowing import giving_way
+from game.core.compiler.beside import giving_way
 from game.core.compiler.plan import kinds_of
 from game.core.compiler.rule_pass import make_beside
 from game.world.background.kernel_warmup import steps

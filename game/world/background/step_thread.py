@@ -2,7 +2,7 @@
 
 import threading
 
-from game.core.compiler.narrowing import giving_way
+from game.core.compiler.beside import giving_way
 
 
 class StepThread:
