@@ -75,9 +75,9 @@ def scale(theme, room, marks, low, high):
 
 def curves(rect, series, low, high):
     """Return the strokes of series [(rising xs, numbers, colour)] between `low` and `high`; NaN leaves a gap."""
-    ends = [end for xs, _, _ in series for end in (xs[:1], xs[-1:]) if end]
-    first, last = min(ends, default=[0])[0], max(ends, default=[0])[0]
-    span, strokes = max(last - first, 1e-9), []
+    ends = [x for xs, _, _ in series for x in (*xs[:1], *xs[-1:])]
+    first = min(ends, default=0)
+    span, strokes = max(max(ends, default=0) - first, 1e-9), []
     for xs, numbers, colour in series:
         run = []
         for x, number in [*zip(xs, numbers, strict=True), (0, math.nan)]:
