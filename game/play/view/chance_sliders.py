@@ -2,6 +2,8 @@
 
 from dataclasses import replace
 
+import numpy as np
+
 from game.play.view.swatches import striped, swatches_of
 
 ENDS, RARE_ENDS = ("never", "always"), ("never", "often")  # of a chance
@@ -11,7 +13,7 @@ SPAN = 20  # the length of that, in usual values
 
 def spelled(chance):
     """Return a chance in short and plain figures."""
-    return f"{chance:.3g}" if chance >= 0.001 or not chance else f"{chance:.8f}".rstrip("0")
+    return np.format_float_positional(chance, precision=3, fractional=False, trim="-")
 
 
 class ChanceSliders:
