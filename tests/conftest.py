@@ -8,8 +8,6 @@ from pathlib import Path
 
 import pytest
 from hypothesis import HealthCheck, is_hypothesis_test, settings
-from numba.core.compiler_lock import global_compiler_lock
-from numba.core.dispatcher import Dispatcher
 
 os.environ.setdefault("SDL_VIDEODRIVER", "dummy")
 os.environ.setdefault("SDL_AUDIODRIVER", "dummy")
@@ -19,23 +17,24 @@ if sys.dont_write_bytecode:  # then every process would compile every module ane
     os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
     os.environ["PYTHONPYCACHEPREFIX"] = sys.pycache_prefix
 
+from game.core.loops.kernel import Kernel
+
 try:
     import fcntl
 except ImportError:  # Windows: kernels may be compiled twice there
     fcntl = None
 
 
-def compile_once(dispatcher, signature, compile_it=Dispatcher.compile):
+def make_once(kernel, types, make=Kernel._make):
     """Compile the stepping while tests in other processes that need it wait, and then find it among what is kept."""
-    if fcntl is None or dispatcher.py_func.__module__ != "game.core.step":
-        return compile_it(dispatcher, signature)
-    path = Path(tempfile.gettempdir(), f"{dispatcher.py_func.__name__}.lock")
-    with global_compiler_lock, open(path, "w") as lock:  # in this order, or two threads would wait for each other
+    if fcntl is None or kernel.function.__module__ != "game.core.step":
+        return make(kernel, types)
+    with open(Path(tempfile.gettempdir(), f"{kernel.__name__}.lock"), "w") as lock:
         fcntl.flock(lock, fcntl.LOCK_EX)
-        return compile_it(dispatcher, signature)
+        return make(kernel, types)
 
 
-Dispatcher.compile = compile_once
+Kernel._make = make_once
 
 
 steady = settings(derandomize=True, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])

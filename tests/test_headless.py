@@ -78,13 +78,20 @@ def test_headless_runs_without_pygame():
     assert subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, check=False).returncode == 0
 
 
-def test_no_start_waits_for_the_linear_algebra_of_scipy():
+def test_a_start_that_finds_its_kernels_imports_no_compiler_and_nothing_of_the_study():
     code = (
         "import sys; from game.cli import main; main(['headless', '--scene', 'paper', '--frames', '2'])\n"
-        "print('scipy.linalg' in sys.modules); import scipy.linalg"
+        "print({'numba', 'matplotlib', 'rich', 'scipy'} & set(sys.modules))"
     )
+    headless.run(load_scene("paper"), frames=2)
     done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
-    assert done.stdout.splitlines()[-1] == "False"
+    assert done.stdout.splitlines()[-1] == "set()"
+
+
+def test_to_compile_by_numba_does_not_take_linear_algebra_along_nor_keeps_others_from_it():
+    code = "import sys, game.core.numba_jit; print('scipy.linalg' in sys.modules); import scipy.linalg"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout == "False\n"
 
 
 @sweep("driver", ["", "x11"], keep=["x11"])

@@ -17,7 +17,7 @@ import numpy as np
 from platformdirs import user_cache_dir
 
 from game.core.compiler.machine_code import features, machine
-from game.core.loops.kernel import Kernel
+from game.core.loops.kernel import Kernel, compile_kernel
 from game.core.sealed_files import read_sealed, write_sealed
 
 MOST_KEPT = 256  # passes of rules that are kept: some 10 to 300 KB each
@@ -93,18 +93,30 @@ def trouble():
     return _troubles[0] if _troubles else None
 
 
-def kernel(function):
-    """Compile `function` when first called, and keep the machine code between runs; it runs without the lock."""
-    name = function.__name__
-    return noted(
-        Kernel(function, lambda key, make: kept(f"{key} {machine()} {features()}", make, f"{name}-", "kernel"))
-    )
+def kernel(function, compiler=compile_kernel):
+    """Compile `function` when first called, and keep the machine code between runs; it runs without the lock.
 
+    compiler: see `Kernel`.
+    """
+    name, by = function.__name__, compiler.__name__
 
-def noted(made):
-    """Count a kernel among those that `ready` tells of, and return it."""
+    def keep(key, make):
+        return kept(f"{by} {key} {machine()} {features()}", make, f"{name}-", "kernel")
+
+    made = Kernel(function, keep, compiler)
     _kernels.append(made)
     return made
+
+
+def numba_kernel(function):
+    """Do what `kernel` does, but by numba; `function` returns nothing."""
+    return kernel(function, _compile_by_numba)
+
+
+def _compile_by_numba(function, types):
+    from game.core import numba_jit  # here, since that takes 0.5 s: most runs find the machine code
+
+    return numba_jit.compile_kernel(function, types)
 
 
 def gate(function):

@@ -1,13 +1,24 @@
-"""The stepping of the automaton, compiled by numba and kept between runs: the only importer of numba in the toy.
+"""Compiles kernels by numba: the only importer of numba in the toy, itself imported where something is to be compiled.
 
 Numba makes the fastest loops of any compiler for Python, and takes seconds to; so it has the one kernel in which the
-sand's time goes, and `loops` the many others. Its own cache does not notice a change in another file, nor does it
-survive a damaged one; so its machine code is kept as that of all kernels is, see `jit`.
+sand's time goes, and `loops` the many others. What numba makes is a function in LLVM IR. A kernel around it hands over
+the arguments, and LLVM makes one piece of machine code of both.
 """
 
-import pickle
+import gc
 import sys
+from contextlib import contextmanager
 from importlib import import_module
+
+import numpy as np
+from llvmlite import ir
+
+from game.core.loops import signature
+from game.core.loops.calls import call_pass
+from game.core.loops.ir_writer import Writer
+from game.core.loops.kernel import NAME
+from game.core.loops.object_code import compiled
+from game.core.loops.values import Array, Scalar, leaves, size_of
 
 
 def _pass_by_scipy():
@@ -24,69 +35,100 @@ def _pass_by_scipy():
 _pass_by_scipy()
 
 import numba  # noqa: E402
-from llvmlite import ir  # noqa: E402
-from numba.core.caching import FunctionCache  # noqa: E402
-from numba.core.compiler import CompileResult  # noqa: E402
-from numba.core.serialize import dumps  # noqa: E402
+from numba import types as kinds  # noqa: E402
+from numba.core.compiler_lock import global_compiler_lock  # noqa: E402
+from numba.core.registry import cpu_target  # noqa: E402
 from numba.extending import intrinsic, overload, register_jitable  # noqa: E402
 
-from game.core import jit  # noqa: E402
-from game.core.loops.calls import call_pass  # noqa: E402
-
+_OPTIONS = {  # nothing is called from Python, takes memory, or raises
+    "no_cpython_wrapper": True,
+    "no_cfunc_wrapper": True,
+    "_nrt": False,
+    "error_model": "numpy",
+}
+_NUMBERS = {"i": kinds.int64, "u": kinds.uint64, "f": kinds.float32, "d": kinds.float64, "b": kinds.boolean}
 _WORD = ir.IntType(64)
 
 
-class _Cache(FunctionCache):
-    """Keeps a kernel's machine code, for each signature."""
+def compile_kernel(function, types):
+    """Return (machine code of a function that returns nothing, the kinds of its results), as `loops.kernel` does.
 
-    cache_path = ""
-
-    def __init__(self, function):
-        self._py_func = function
-
-    def load_overload(self, sig, target_context):
-        """Return the CompileResult that is kept for a signature, or None where there is none that can be used."""
-        target_context.refresh()
-
-        def load(data):
-            return CompileResult._rebuild(target_context, *pickle.loads(data))
-
-        return jit.read(*self._key(sig, target_context.codegen(), load))
-
-    def save_overload(self, sig, data):
-        """Keep the CompileResult for a signature, if that is possible."""
-        jit.keep(*self._key(sig, data.codegen, lambda: dumps(data._reduce())))
-
-    def _key(self, sig, codegen, act):
-        function = self._py_func
-        key = repr((function.__module__, numba.__version__, self._index_key(sig, codegen)))
-        return key, act, f"{function.__qualname__}-", "kernel"
-
-
-class _Stepper:
-    """A kernel of numba's."""
-
-    def __init__(self, function):
-        self.__doc__, self.__name__, self.function = function.__doc__, function.__name__, function
-        _register_gates(function)
-        self._compiled = numba.njit(function, nogil=True, no_cfunc_wrapper=True)
-        self._compiled._cache = _Cache(function)
-
-    def __call__(self, *arguments):
-        return self._compiled(*arguments)
-
-    @property
-    def signatures(self):
-        """The types of arguments that the kernel is ready for, in words."""
-        return [str(types) for types in self._compiled.signatures]
-
-
-def numba_kernel(function):
-    """Compile `function` by numba when first called, and keep the machine code between runs; it runs without the lock.
-
-    Gates are compiled into it, body and all, as in every kernel.
+    Gates are compiled into it, body and all.
     """
-    return jit.noted(_Stepper(function))
+    writer = Writer()
+    arguments = signature.arguments(writer, types)
+    name, text = _compiled(function, kinds.none(*map(_type_of, arguments)))
+    handed = [("ptr", writer.room("ptr")), ("ptr", writer.room("ptr")), *_handed(writer, arguments)]
+    writer.declared.add(f"declare i32 @{name}({', '.join(kind for kind, _ in handed)})")
+    status = writer.new(f"call i32 @{name}({', '.join(map(' '.join, handed))})")
+    failed = writer.new(f"icmp ne i32 {status}, 0")
+    writer.line(f"store i32 {writer.new(f'select i1 {failed}, i32 2, i32 0')}, ptr %status")
+    return compiled(writer.text(NAME), text), ""
+
+
+def _compiled(function, types):
+    """Return the name of a function in numba's IR, and the IR."""
+    _register_gates(function)
+    dispatcher = numba.njit(**_OPTIONS)(function)
+    with _plainly():
+        dispatcher.compile(types)
+    return dispatcher.get_compile_result(types).fndesc.llvm_func_name, dispatcher.inspect_llvm(types.args)
+
+
+@contextmanager
+def _plainly():
+    """Keep numba from optimising, which is done for the whole kernel at once, and Python from looking for garbage."""
+    collects, level = gc.isenabled(), numba.config.OPT
+    with global_compiler_lock:
+        cpu_target.target_context.refresh()  # what numba keeps for others is made as they want it
+        gc.disable()
+        numba.config.OPT = 0
+        try:
+            yield
+        finally:
+            numba.config.OPT = level
+            if collects:
+                gc.enable()
+
+
+def _type_of(value):
+    """Return numba's type of a value of `loops`."""
+    if isinstance(value, Scalar):
+        return _NUMBERS[value.kind]
+    if isinstance(value, Array):
+        axes = len(value.sides)
+        return kinds.Array(
+            numba.from_dtype(np.dtype(value.item)), axes, "C" if axes == 1 and not value.strides else "A"
+        )
+    return kinds.BaseTuple.from_types(tuple(map(_type_of, value)), type(value))
+
+
+def _handed(writer, values):
+    """Return the arguments of numba's function for values of `loops`, as pairs of (type, register).
+
+    Of an array these are its owner and its object, none; how many items it has, of how many bytes, and where; its sides
+    and its strides.
+    """
+    found = []
+    for value in values:
+        if isinstance(value, Array):
+            found += _array(writer, value)
+        elif not isinstance(value, Scalar):
+            found += _handed(writer, value)
+        elif value.kind == "b":
+            found.append(("i8", writer.as_item(value, "b1")))
+        else:
+            found += leaves(value)
+    return found
+
+
+def _array(writer, value):
+    count, size = "1", str(size_of(value.item))
+    for side in value.sides:
+        count = writer.new(f"mul i64 {count}, {side}")
+    strides = (*value.strides, size)[: len(value.sides)]
+    words = (("i64", each) for each in (*value.sides, *strides))
+    return [("ptr", "null"), ("ptr", "null"), ("i64", count), ("i64", size), ("ptr", value.data), *words]
 
 
 def _register_gates(function):
@@ -95,7 +137,7 @@ def _register_gates(function):
         called = function.__globals__.get(name)
         if hasattr(called, "is_gate") and called not in _gates:
             _gates.add(called)
-            register_jitable(forceinline=True, no_cpython_wrapper=True, no_cfunc_wrapper=True)(called)
+            register_jitable(forceinline=True, **_OPTIONS)(called)
             _register_gates(called)
 
 
@@ -109,17 +151,17 @@ def _call(typingctx, address, words, at, may, origin, key, chances, size):
     def generate(context, builder, signature, args):
         handed = []
         for kind, value in zip(signature.args[1:], args[1:], strict=True):
-            if isinstance(kind, numba.types.Array):
+            if isinstance(kind, kinds.Array):
                 value = builder.ptrtoint(context.make_array(kind)(context, builder, value).data, _WORD)
             handed.append(value)
         kind = ir.FunctionType(_WORD, [_WORD] * len(handed))
         return builder.call(builder.inttoptr(args[0], kind.as_pointer()), handed)
 
     handed = words, at, may, origin, key, chances, size
-    return numba.types.int64(address, *handed), generate
+    return kinds.int64(address, *handed), generate
 
 
-@overload(call_pass, jit_options={"forceinline": True, "no_cpython_wrapper": True, "no_cfunc_wrapper": True})
+@overload(call_pass, jit_options={"forceinline": True, **_OPTIONS})
 def _call_pass(address, words, at, may, origin, key, chances, size):
     return lambda address, words, at, may, origin, key, chances, size: _call(
         address, words, at, may, origin, key, chances, size

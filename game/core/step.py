@@ -10,9 +10,8 @@ from functools import lru_cache
 import numpy as np
 
 from game.core.chance import iteration_key, seed_stream
-from game.core.jit import gate
+from game.core.jit import gate, numba_kernel
 from game.core.loops.calls import call_pass
-from game.core.numba_jit import numba_kernel
 from game.core.planes import LINE
 
 BAND = 512  # words of blocks in a band, about: with less, calls cost more than work; with more, less can be skipped

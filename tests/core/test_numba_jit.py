@@ -1,58 +1,85 @@
-"""What numba compiled is kept as all kernels are, and does what the other compiler makes of the same source."""
+"""What numba compiles is a kernel like all others, and does what the other compiler makes of the same source."""
 
+import gc
+from typing import NamedTuple
+
+import numba
 import numpy as np
 import pytest
 
 from game import World, advance, load_rule
-from game.core import jit, numba_jit, step
-from tests.core.test_jit import swapped, total
+from game.core import jit, step
 
 
-@pytest.fixture
+class Span(NamedTuple):
+    """Where something is done, and by how much."""
+
+    first: int
+    by: float
+
+
+@jit.gate
+def scaled(value, by):
+    return value * by
+
+
+def fill(flat, rows, apart, span, grow, size):
+    for k in range(span.first, len(flat)):
+        flat[k] += scaled(float(k), span.by) if grow else 1.0
+    for y in range(rows.shape[0]):
+        for x in range(rows.shape[1]):
+            rows[y, x] = rows[y, x] * size + np.uint64(y) + np.uint64(apart[x])
+
+
+def skip(values, stride):
+    for k in range(0, len(values), stride):
+        values[k] = 1
+
+
+@pytest.fixture(autouse=True)
 def cache(tmp_path, monkeypatch):
-    """Return the folder of a cache of its own, and let no trouble with it be told elsewhere."""
+    """Keep kernels in a folder of their own, and let no trouble with it be told elsewhere."""
     monkeypatch.setattr(jit, "_FOLDER", tmp_path / "kernels")
     monkeypatch.setattr(jit, "_troubles", [])
     monkeypatch.setattr(jit, "_kernels", [])
-    return tmp_path / "kernels"
 
 
-def was_kept():
-    """Return whether a kernel, as a new process has it, is right, and whether its code was kept."""
-    kernel = numba_jit.numba_kernel(total)
-    assert kernel(np.arange(4)) == 6
-    return bool(kernel._compiled.stats.cache_hits)
+def filled(act, grow):
+    """Return the arrays that an act like `fill` has worked on."""
+    whole = np.arange(24, dtype=np.uint64).reshape(4, 6)
+    arrays = np.zeros(5), whole[:, 1:4], np.arange(9, dtype=np.uint8)[::3]
+    act(*arrays, Span(2, 0.5), grow, np.uint64(3))
+    return arrays
 
 
-def test_what_was_compiled_once_is_only_read_again(cache):
-    assert not was_kept() and was_kept()
-    assert jit.trouble() is None and len(list(cache.iterdir())) == 1
+@pytest.mark.parametrize("grow", [False, True])
+def test_a_kernel_gets_numbers_arrays_and_tuples_as_python_does(grow):
+    for expected, found in zip(filled(fill, grow), filled(jit.numba_kernel(fill), grow), strict=True):
+        assert (expected == found).all()
 
 
-@pytest.mark.parametrize("damage", [lambda data: b"", swapped])
-def test_a_damaged_kernel_is_compiled_again_and_kept_again(cache, damage):
-    was_kept()
-    (path,) = cache.iterdir()
-    path.write_bytes(damage(path.read_bytes()))
-    assert not was_kept()
-    assert str(path) in jit.trouble() and jit.trouble().isprintable()
-    assert was_kept()
+def test_what_numba_compiled_once_is_only_read_again(monkeypatch):
+    filled(jit.numba_kernel(fill), True)
+    monkeypatch.setattr(jit, "_compile_by_numba", lambda *_: pytest.fail("it is compiled again"))
+    jit._compile_by_numba.__name__ = "_compile_by_numba"
+    assert filled(jit.numba_kernel(fill), True)[0].any() and jit.trouble() is None
 
 
-def test_a_kernel_that_is_not_what_it_was_packed_as_is_compiled_again(cache, monkeypatch):
-    was_kept()
-    monkeypatch.setattr(numba_jit.CompileResult, "_rebuild", lambda *_: 1 / 0)
-    assert not was_kept() and "division by zero" in jit.trouble()
+def test_the_other_compiler_keeps_what_it_makes_apart():
+    for kernel in (jit.kernel, jit.numba_kernel):
+        kernel(skip)(np.zeros(3, np.int64), 1)
+    assert len(list(jit.folder().iterdir())) == 2
 
 
-def test_a_kernel_that_cannot_be_packed_is_only_not_kept(cache, monkeypatch):
-    monkeypatch.setattr(numba_jit, "dumps", lambda _: 1 / 0)
-    assert not was_kept() and "cannot keep a compiled kernel: division by zero" in jit.trouble()
+def test_an_exception_in_a_kernel_is_raised():
+    with pytest.raises(ArithmeticError, match="raised an exception"):
+        jit.numba_kernel(skip)(np.zeros(3, np.int64), 0)
 
 
-def test_a_folder_that_cannot_be_written_is_no_trouble_to_the_sand(cache):
-    cache.write_text("not a folder")
-    assert not was_kept() and jit.trouble()
+def test_numba_works_for_others_as_before():
+    level = numba.config.OPT
+    jit.numba_kernel(skip)(np.zeros(3, np.int64), 1)
+    assert numba.config.OPT is level and gc.isenabled()
 
 
 @pytest.mark.parametrize("name", ["sand", "water-and-oil"])

@@ -2,10 +2,12 @@
 
 import ctypes
 import threading
+from functools import cached_property
 
 from game.core.loops import signature
 from game.core.loops.ir_writer import Writer
 from game.core.loops.object_code import ObjectCode, compiled
+from game.core.loops.reader import reader
 from game.core.loops.statements import Body
 
 NAME = "sandglass_kernel"
@@ -14,21 +16,26 @@ NAME = "sandglass_kernel"
 class Kernel:
     """A function that runs as machine code, without the interpreter's lock.
 
-    keep: `keep(key, make)` returns what make() does, or did before for the same key, a text.
+    keep: `keep(key, make)` returns what make() does, or did before for the same key, a text. compiler: does what
+    `compile_kernel` does.
     """
 
-    def __init__(self, function, keep):
-        self.function, self._keep = function, keep
+    def __init__(self, function, keep, compiler):
+        self.function, self._keep, self._compiler = function, keep, compiler
         self.__doc__, self.__name__ = function.__doc__, function.__name__
-        self._ready, self._lock = {}, threading.Lock()
+        self._ready, self._latest, self._lock = {}, None, threading.Lock()
 
     def __call__(self, *arguments):
         """Run on arguments: numbers, arrays, and tuples of them."""
-        types, words = [], []
-        signature.describe(arguments, types, words)
-        types = tuple(types)
-        ready = self._ready.get(types) or self._make(types)
-        return ready(words)
+        ready = self._latest
+        packed = ready.read(arguments) if ready else None
+        if packed is None:
+            types, words = [], []
+            signature.describe(arguments, types, words)
+            types = tuple(types)
+            self._latest = ready = self._ready.get(types) or self._make(types)
+            packed = ready.pack(*words)
+        return ready(packed)
 
     @property
     def signatures(self):
@@ -36,11 +43,11 @@ class Kernel:
         return [signature.as_text(types) for types in list(self._ready)]
 
     def _make(self, types):
-        function = self.function
+        function, compiler = self.function, self._compiler
         key = f"{function.__module__}.{function.__qualname__} {signature.as_text(types)}"
         with self._lock:
             if types not in self._ready:
-                self._ready[types] = _ReadyKernel(types, *self._keep(key, lambda: compile_kernel(function, types)))
+                self._ready[types] = _ReadyKernel(types, *self._keep(key, lambda: compiler(function, types)))
         return self._ready[types]
 
 
@@ -57,13 +64,21 @@ class _ReadyKernel:
 
     def __init__(self, types, code, kinds):
         self._code = ObjectCode(code, NAME)
-        self._pack = signature.packing(types).pack
+        self._types, self.pack = types, signature.packing(types).pack
         self._reading, self._is_tuple = signature.reading(kinds), kinds.startswith("(")
 
-    def __call__(self, words):
+    @cached_property
+    def read(self):
+        """What reads the arguments of later calls: kernels that are called once need none."""
+        return reader(self._types)
+
+    def __call__(self, packed):
         room = ctypes.create_string_buffer(self._reading.size) if self._reading.size else None
-        if self._code.call(self._pack(*words), room):
+        status = self._code.call(packed, room)
+        if status == 1:
             raise MemoryError("there is no memory for a kernel to work in")
+        if status:
+            raise ArithmeticError("a kernel compiled by numba has raised an exception")
         if room is None:
             return None
         results = self._reading.unpack(room)

@@ -13,16 +13,35 @@ _RELOCATION = (
 )  # as code in memory has to be there
 
 
-def compiled(text):
-    """Return the machine code of a module of LLVM IR, optimised, as bytes."""
+def compiled(text, called=""):
+    """Return the machine code of a module of LLVM IR, optimised, as bytes.
+
+    called: the IR of another module, whose functions become parts of those that call them.
+    """
     machine = target_machine(opt=_VECTORISED, reloc=_RELOCATION, jit=True)
-    module = llvm.parse_assembly(text)
-    module.triple, module.data_layout = machine.triple, str(machine.target_data)
+    module = _parsed(text, machine)
+    if called:
+        _link(module, _parsed(called, machine))
     options = llvm.create_pipeline_tuning_options(speed_level=_VECTORISED)
     options.loop_vectorization = options.slp_vectorization = True
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(module, builder)
     return machine.emit_object(module)
+
+
+def _parsed(text, machine):
+    module = llvm.parse_assembly(text)
+    module.triple, module.data_layout = machine.triple, str(machine.target_data)
+    return module
+
+
+def _link(module, called):
+    """Move what another module defines into one, out of sight of all others."""
+    names = {each.name for each in (*called.functions, *called.global_variables) if not each.is_declaration}
+    module.link_in(called)
+    for each in (*module.functions, *module.global_variables):
+        if each.name in names:
+            each.linkage = llvm.Linkage.internal
 
 
 class ObjectCode(MachineCode):

@@ -14,18 +14,18 @@ from game.core.loops.values import KINDS, Array, Scalar, item_of
 _HEAD = object.__basicsize__
 _SIDES, _STRIDES = _HEAD + 16, _HEAD + 24
 _ITEMS = {np.dtype(code): item_of(code) for code in "?bBhHiIlLqQfd"}
-_NUMBERS = {bool: "b", np.bool_: "b", int: "i", float: "d", np.float64: "d", np.float32: "f"} | {
+NUMBERS = {bool: "b", np.bool_: "b", int: "i", float: "d", np.float64: "d", np.float32: "f"} | {
     np.dtype(code).type: "u" if code.isupper() else "i" for code in "bBhHiIlLqQ"
 }
-_PACKED = {"i": "q", "u": "Q", "b": "q", "f": "d", "d": "d"}
+_PACKED = {"i": "q", "u": "Q", "b": "?7x", "f": "d", "d": "d"}
 
 
 def describe(values, types, words):
     """Append the types of arguments to one list, and what is handed over of them to another one."""
     for value in values:
         kind = type(value)
-        if kind in _NUMBERS:
-            types.append(_NUMBERS[kind])
+        if kind in NUMBERS:
+            types.append(NUMBERS[kind])
             words.append(value)
         elif isinstance(value, np.ndarray):
             strides = value.strides

@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.core.jit import gate
-from game.core.loops.kernel import Kernel
+from game.core.loops.kernel import Kernel, compile_kernel
 from game.core.loops.statements import NotCompilableError
 
 KNOWN = np.array([3, 1, 2], np.uint8)
@@ -28,7 +28,7 @@ class Pair(NamedTuple):
 
 def kernel_of(function):
     """Return a kernel that is compiled in this test."""
-    return Kernel(function, lambda key, make: make())
+    return Kernel(function, lambda key, make: make(), compile_kernel)
 
 
 @gate
@@ -262,7 +262,7 @@ def test_threads_that_call_at_once_compile_once():
     def total(a, b):
         return a + b
 
-    kernel = Kernel(total, lambda key, make: made.append(key) or make())
+    kernel = Kernel(total, lambda key, make: made.append(key) or make(), compile_kernel)
     threads = [threading.Thread(target=kernel, args=(1, 2)) for _ in range(8)]
     for each in threads:
         each.start()
