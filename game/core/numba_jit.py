@@ -36,6 +36,7 @@ _pass_by_scipy()
 
 import numba  # noqa: E402
 from numba import types as kinds  # noqa: E402
+from numba.core.codegen import JITCodeLibrary, JITCPUCodegen  # noqa: E402
 from numba.core.compiler_lock import global_compiler_lock  # noqa: E402
 from numba.core.registry import cpu_target  # noqa: E402
 from numba.extending import intrinsic, overload, register_jitable  # noqa: E402
@@ -70,23 +71,46 @@ def _compiled(function, types):
     """Return the name of a function in numba's IR, and the IR."""
     _register_gates(function)
     dispatcher = numba.njit(**_OPTIONS)(function)
-    with _plainly():
+    with _ir_alone():
         dispatcher.compile(types)
     return dispatcher.get_compile_result(types).fndesc.llvm_func_name, dispatcher.inspect_llvm(types.args)
 
 
+class _Library(JITCodeLibrary):
+    """The IR of a function as it is written: optimised it is with the whole kernel, and then made machine code."""
+
+    def _optimize_functions(self, module):
+        pass
+
+    def _optimize_final_module(self):
+        pass
+
+    def _finalize_final_module(self):
+        self._finalized = True
+
+    def get_pointer_to_function(self, name):
+        self._ensure_finalized()
+        return 0
+
+
+class _Codegen(JITCPUCodegen):
+    _library_class = _Library
+
+    def set_env(self, name, environment):
+        pass
+
+
 @contextmanager
-def _plainly():
-    """Keep numba from optimising, which is done for the whole kernel at once, and Python from looking for garbage."""
-    collects, level = gc.isenabled(), numba.config.OPT
+def _ir_alone():
+    """Keep numba from making more than IR, and Python from looking for garbage meanwhile."""
+    context, collects = cpu_target.target_context, gc.isenabled()
     with global_compiler_lock:
-        cpu_target.target_context.refresh()  # what numba keeps for others is made as they want it
+        usual, context._internal_codegen = context.codegen(), _Codegen("sandglass")
         gc.disable()
-        numba.config.OPT = 0
         try:
             yield
         finally:
-            numba.config.OPT = level
+            context._internal_codegen = usual
             if collects:
                 gc.enable()
 

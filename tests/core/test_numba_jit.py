@@ -77,9 +77,18 @@ def test_an_exception_in_a_kernel_is_raised():
 
 
 def test_numba_works_for_others_as_before():
-    level = numba.config.OPT
-    jit.numba_kernel(skip)(np.zeros(3, np.int64), 1)
-    assert numba.config.OPT is level and gc.isenabled()
+    def smaller(a, b):
+        if a < 0:
+            raise ValueError(a)
+        return min(a, b)
+
+    def smallest(values):
+        values[0] = min(values[0], values[1])
+
+    jit.numba_kernel(smallest)(np.array([2, 1]))
+    assert numba.njit(smaller)(2, 1) == 1 and gc.isenabled()
+    with pytest.raises(ValueError, match="-5"):
+        numba.njit(smaller)(-5, 1)
 
 
 @pytest.mark.parametrize("name", ["sand", "water-and-oil"])
