@@ -119,6 +119,11 @@ def _compile_by_numba(function, types):
     return numba_jit.compile_kernel(function, types)
 
 
+def is_kept(kernel):
+    """Return whether machine code of a kernel is kept, for some types of arguments."""
+    return bool(_FOLDER) and any(Path(_FOLDER).glob(f"{kernel.__name__}-*.kernel"))
+
+
 def gate(function):
     """Let kernels call `function`: it is compiled into each of them, body and all."""
     function.is_gate = True

@@ -12,7 +12,7 @@ from game.play.window.allocator import freeze_objects, return_freed_memory
 from game.play.window.layout import WindowLayout, first_scale, first_size, room_of, window_size
 from game.play.window.window import NoDisplayError, Window, desktop_size
 from game.process import ending_within, is_asked_to_end, noting_signals
-from game.world.background.kernel_warmup import later_steps, steps
+from game.world.background.kernel_warmup import later_steps, make_stepping_beside, steps
 from game.world.background.step_thread import StepThread
 from game.world.files.atomic import drop_parts
 from game.world.files.paths import clear_user_parts
@@ -31,6 +31,7 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     follows it while it is untouched. Threads may still be at work afterwards: who ends the process ends them, by
     `leave_threads`.
     """
+    stepping = StepThread([("the stepping", make_stepping_beside)])  # at once: it takes longest
     return_freed_memory()
     pygame.font.init()
     if not settings.has("ui_scale"):
@@ -41,7 +42,8 @@ def play(scene, settings, seed=0, p=None, cell=None, fullscreen=False, recording
     if suits:
         scene = fine_glass(scene, room_of(layout, theme))
     cell = View.fit(scene.shape, *layout.sand).cell
-    worker = StepThread(steps(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures))
+    *others, moving = steps(scene.rule, scene.made_of, cell, scene.coloured, scene.fixtures)
+    worker = StepThread([*others, ("the stepping", lambda: stepping.wait(None)), moving])
     try:
         with noting_signals():
             if _make_ready(window, theme, worker):

@@ -1,11 +1,15 @@
 """Makes kernels ready before they are needed: each is compiled by using it once on a world of a few cells."""
 
+from contextlib import suppress
+
 import numpy as np
 
 from game.core import jit, planes
+from game.core.compiler.beside import run_beside
 from game.core.draw.cells import draw_turned
 from game.core.draw.heatmap import covers_of, lay_heat, mean_levels
 from game.core.draw.looks import Substance
+from game.core.step import advance_bands
 from game.world.background.forecast_thread import ForecastRequest, forecast_of
 from game.world.looks.firelight import Firelight
 from game.world.looks.heatmap_colours import cover
@@ -40,10 +44,20 @@ def cache_trouble():
 def steps(rule, walls, cell=1, coloured=False, fixtures=()):
     """Return [(what, act)], every kernel that showing a scene with `rule` needs; call each act to make it ready.
 
-    walls: what they are made of. cell: pixels to a cell. coloured: whether the sand has colours. fixtures: its
-    taps and drains.
+    The last one moves sand. walls: what they are made of. cell: pixels to a cell. coloured: whether the sand has
+    colours. fixtures: its taps and drains.
     """
-    return moving_steps(rule, coloured, fixtures) + drawing_steps(rule, walls, cell)
+    return drawing_steps(rule, walls, cell) + moving_steps(rule, coloured, fixtures)
+
+
+def make_stepping_beside():
+    """Have the stepping compiled by another process, if that can be and has not been, and wait for it.
+
+    It takes longer than all else that a first frame needs.
+    """
+    if not jit.is_kept(advance_bands):
+        with suppress(OSError):
+            run_beside(_step)
 
 
 def moving_steps(rule, coloured=False, fixtures=()):
@@ -103,6 +117,10 @@ def _bare(codes):
     bits = planes.empty(where, 4 * where.bits)
     bits[:] = 0
     return World(bits, where, codes, 0, 0)
+
+
+def _step():
+    advance(_bare(Rule().codes), Rule(), 1)
 
 
 def _draw(rule, walls, cell):

@@ -3,9 +3,11 @@
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
-from game import Rule, load_rule
+from game import Rule, World, advance, load_rule
+from game.core import jit, step
 from game.world.background import kernel_warmup
 
 SCRIPT = """
@@ -49,6 +51,24 @@ assert len(playing) == 2
 
 def test_no_kernel_is_compiled_inside_a_frame():
     subprocess.run([sys.executable, "-c", SCRIPT], check=True, timeout=600)
+
+
+def test_the_stepping_is_compiled_by_another_process_and_found_by_this_one(tmp_path, monkeypatch):
+    monkeypatch.setattr(jit, "_FOLDER", tmp_path / jit.folder().name)
+    kernel_warmup.make_stepping_beside()
+    monkeypatch.setattr(kernel_warmup, "run_beside", lambda *_: pytest.fail("it is made already"))
+    kernel_warmup.make_stepping_beside()
+    stepping = jit.numba_kernel(step.advance_bands.function)
+    stepping._compiler = lambda *_: pytest.fail("it is compiled again")
+    monkeypatch.setattr(step, "advance_bands", stepping)
+    advance(World.from_cells(*np.zeros((2, 66, 2), bool)), Rule.with_p(0.5), 1)
+
+
+def test_where_no_other_process_can_be_the_stepping_is_left_to_this_one(tmp_path, monkeypatch):
+    monkeypatch.setattr(jit, "_FOLDER", tmp_path / "kernels")
+    monkeypatch.setattr(sys, "executable", "")
+    kernel_warmup.make_stepping_beside()
+    assert not jit.is_kept(step.advance_bands)
 
 
 @pytest.mark.parametrize("cell", [1 / 1000, 1 / 17, 0.4, 1, 20])
