@@ -1,7 +1,7 @@
 """The world's look: which colour each cell has, and worlds drawn into arrays of pixels. No window is needed."""
 
 import math
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -29,6 +29,7 @@ from game.core.planes import DEPTH, layout
 from game.world.looks import colour_space
 from game.world.looks.firelight import MOST_LIT, Firelight
 from game.world.looks.motion_samples import NO_SAMPLES
+from game.world.looks.row_threads import draw_rows
 from game.world.looks.themes import NIGHT, palette, rgb
 
 NO_ENDS = np.zeros(0, np.int32)
@@ -142,7 +143,7 @@ class Painter:
             spans += [self._pixels_of(*lit)] if lit else []
         drawn = _merged(spans)
         for top, bottom in drawn:
-            self._draw_rows(world, pixels, top, bottom)
+            draw_rows(partial(self._draw_part, world, pixels), top, bottom, self.view.seen[2] - self.view.seen[0])
             if self._firelight:
                 self._firelight.draw(pixels, top, bottom)
         return drawn
@@ -195,7 +196,8 @@ class Painter:
     def _clipped(self, top, bottom):
         return max(top, self.view.seen[1]), min(bottom, self.view.seen[3])
 
-    def _draw_rows(self, world, pixels, top, bottom):
+    def _draw_part(self, world, pixels, part, top, bottom):
+        """Draw rows of pixels in memory that no other part uses."""
         left, first, _, _ = self.view.seen
         paints, planes, rows = self._paints, world.planes, self._rows[top - first : bottom - first + self._mixes]
         colours = planes[4 * self._substances.bits :]
@@ -203,22 +205,22 @@ class Painter:
         if self._counts:
             plain, decor, dyes = paints.lights
             lights = np.vstack([plain, decor[: len(decor) * self._glass], dyes[: len(dyes) * (len(colours) > 0)]])
-            self._pass(CountPass, colours).draw(*what, rows, lights, paints.channels, pixels, top, left)
+            self._pass(CountPass, colours, part).draw(*what, rows, lights, paints.channels, pixels, top, left)
         else:
             ends = np.maximum(rows[1:] - 1, rows[:-1]) if self._mixes else NO_ENDS
             rows = rows[:-1] if self._mixes else rows
             trail = colours if self._trail is None or not len(self._trail) else self._trail
             streams = self._samples, trail, paints.blends
-            cells = self._pass(CellPass, colours)
+            cells = self._pass(CellPass, colours, part)
             cells.draw(*what, rows, ends, self._shades, paints.pairs, *streams, pixels, top, left)
 
-    def _pass(self, kind, colours):
-        """Return the CellPass or CountPass of worlds with or without colours."""
+    def _pass(self, kind, colours, part):
+        """Return the CellPass or CountPass of worlds with or without colours, for a part of the rows."""
         depth = DEPTH if len(colours) and sand_of(self._substances) else 0
-        if (kind, depth) not in self._passes:
+        if (kind, depth, part) not in self._passes:
             words = layout(*self.view.shape).words
-            self._passes[kind, depth] = kind(self._substances, words, self._glass, depth)
-        return self._passes[kind, depth]
+            self._passes[kind, depth, part] = kind(self._substances, words, self._glass, depth)
+        return self._passes[kind, depth, part]
 
 
 def _merged(spans):

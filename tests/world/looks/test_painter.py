@@ -10,7 +10,7 @@ from game.core.draw.cells import SHADES, TEXTURE
 from game.core.draw.downscaled import shift_edges
 from game.core.draw.glass_decor import places_of
 from game.core.draw.looks import AIR, GRAIN, GRAIN_BY_WALL, SURFACE, WALL, dyed
-from game.world.looks import colour_space
+from game.world.looks import colour_space, row_threads
 from game.world.looks.painter import Painter, texture
 from game.world.looks.themes import DAY, NIGHT, palette
 from game.world.looks.view import View
@@ -168,6 +168,22 @@ def test_a_pixel_of_many_cells_has_their_mean_light(cell, dyed):
     for y, x in np.random.default_rng(7).integers(0, shown.shape[:2], (200, 2)):
         part = means[rows[y] : rows[y + 1], columns[x] : columns[x + 1]]
         assert shown[y, x] == pytest.approx(part.mean(axis=(0, 1)).clip(0, 1), abs=0.005)
+
+
+@pytest.mark.parametrize("cell", [0.3, 0.7, 1, 3])
+@pytest.mark.parametrize("dyed", [False, True])
+def test_a_picture_is_the_same_however_many_threads_draw_its_rows(cell, dyed, monkeypatch):
+    world = random_world(np.random.default_rng(9), 931, 1170, walls=0.1)  # so that they draw at the same time
+    world = coloured(world, np.random.default_rng(9)) if dyed else world
+    height, width = (round(side * cell) for side in world.shape)
+    pictures = []
+    for threads in (1, 3):
+        monkeypatch.setattr(row_threads, "THREADS", threads)
+        monkeypatch.setattr(row_threads, "LEAST_PIXELS", 1)
+        pixels = np.zeros((height, width), np.uint32)
+        Painter(View(world.shape, 0, 0, width, height), DAY, "glass").draw(world, pixels)
+        pictures.append(pixels)
+    assert (pictures[0] == pictures[1]).all()
 
 
 def test_what_falls_out_of_a_band_changes_the_looks_of_the_pile_below():
