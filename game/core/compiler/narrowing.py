@@ -63,11 +63,18 @@ class NarrowPasses:
             self._thread.join()
 
     def _narrow_beside(self, codes):
-        """Have a process make the pass for some codes, and take it; where none can be started the whole one goes on."""
-        with suppress(OSError):
-            run_beside(self._make, codes)
-            with giving_way():
-                self._add(codes, self._kept(codes))
+        """Take the pass for some codes if it was kept, or have a process make it; if none can the whole one goes on."""
+        if not self._take(codes):
+            with suppress(OSError):
+                run_beside(self._make, codes)
+                self._take(codes)
+
+    def _take(self, codes):
+        """Know the pass for some codes that was kept; return whether one was."""
+        with giving_way():
+            kept = self._kept(codes)
+            self._add(codes, kept)
+        return kept is not None
 
     def _add(self, codes, new):
         """Know the pass for some codes, if it could be made: code that disagrees with its table is not kept."""

@@ -145,6 +145,17 @@ def test_a_narrower_pass_is_made_once_the_whole_one_has_cost_as_much_as_making_i
     assert len(passes.known.made) == 2, "it pays once"
 
 
+def test_a_narrower_pass_that_was_kept_is_taken_without_a_process(own_cache, monkeypatch, every_rule_is_large):
+    rule = load_rule("water-and-oil")
+    asked(rule)._make((0, 1))
+    monkeypatch.setattr(narrowing, "run_beside", lambda *_: pytest.fail("it is there"))
+    passes = asked(rule)
+    passes.tally[0b11] = 10**9
+    asked(rule)
+    passes.wait()
+    assert passes.known.sets[1:] == (0b11,)
+
+
 def test_one_pass_is_made_for_sets_that_are_parts_of_it(own_cache, every_rule_is_large):
     passes = asked(load_rule("water-and-oil"))
     for codes in combinations((0, 1, 3), 2):
