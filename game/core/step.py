@@ -48,10 +48,10 @@ def run_rows(run, planes, length, stride, y, x, upper, lower, rows, row, key, ro
     """Run one iteration on rows of blocks, in place; return what the pass does.
 
     y, x: the partition's offset. upper, lower: the plane rows of the upper and of the lower corners of the first row of
-    blocks, which is number `row` of the partition. room: see `rooms_for`. at: (4·bits,) int64, room.
+    blocks, which is number `row` of the partition. room: one of `rooms_for`. at: where to note where the planes
+    begin, four for each bit; int64.
     """
     address, outside, changing, chances = run
-    may, origin = room
     bits = len(outside)
     above, below = (2 * y) * length + upper * stride, (2 - 2 * y) * length + lower * stride
     for bit in range(bits):
@@ -63,7 +63,7 @@ def run_rows(run, planes, length, stride, y, x, upper, lower, rows, row, key, ro
         if x and changing[bit]:
             open_seams(planes, at[bits + bit], at[3 * bits + bit], rows, stride, outside[bit])
     place = key + np.uint64(row * stride - x) * _STEP
-    told = call_pass(address, planes, at, may[x], origin, place, chances, rows * stride)
+    told = call_pass(address, planes, at, room[x], room[2], place, chances, rows * stride)
     if x and told:
         for bit in range(bits):
             if changing[bit]:
@@ -83,21 +83,18 @@ def open_lasting_seams(run, planes, length, stride, first, rows):
 
 @lru_cache(maxsize=16)
 def rooms_for(rows, stride):
-    """Return `may` by x and `origin` for bands of so many rows of blocks, and for one row, as a pass wants them.
+    """Return `may` by x and `origin` as passes want them, for so many rows of blocks and for one: (2, 3, words) uint64.
 
-    Each is only to be read. The seam is no block where x is even. Where it is odd the first bit of a row's first word
+    They are only to be read. The seam is no block where x is even. Where it is odd the first bit of a row's first word
     is the block that is half outside on the left.
     """
-    return tuple(_room_for(number * stride, stride) for number in (rows, 1))
-
-
-def _room_for(size, stride):
-    may, origin = np.zeros((2, size + LINE), np.uint64), np.zeros(size + LINE, np.uint64)
-    may[:, :size] = _FULL
-    may[0, stride - 1 : size : stride] = 0
-    may[1, :size:stride] = 1
-    origin[:size] = np.arange(size, dtype=np.uint64) * _STEP
-    return may, origin
+    rooms = np.zeros((2, 3, rows * stride + LINE), np.uint64)
+    for room, size in zip(rooms, (rows * stride, stride), strict=True):
+        room[:2, :size] = _FULL
+        room[0, stride - 1 : size : stride] = 0
+        room[1, :size:stride] = 1
+        room[2, :size] = np.arange(size, dtype=np.uint64) * _STEP
+    return rooms
 
 
 @gate
@@ -115,23 +112,24 @@ def advance_planes(planes, shape, run, edges, bands, stamp, offsets, seed, itera
     is stamped. offsets: (x, y) of the first iterations, repeated. seed, iteration: uint64.
     """
     _, _, stride, band_rows = shape
-    bits, quiet = len(run[1]), bands[0]
-    room = *rooms_for(band_rows, stride), np.empty(4 * bits, np.int64), np.zeros(len(quiet), np.bool_)
-    skew = max(1, IN_CACHE // (4 * bits * band_rows * stride))
-    advance_bands(planes, shape, run, edges, bands, stamp, offsets, seed, iteration, iterations, skew, room)
+    rooms, notes = rooms_for(band_rows, stride), np.zeros(4 * len(run[1]) + len(bands[0]), np.int64)
+    advance_bands(planes, shape, run, edges, bands, stamp, offsets, seed, iteration, iterations, rooms, notes)
 
 
 @numba_kernel
-def advance_bands(planes, shape, run, edges, bands, stamp, offsets, seed, iteration, iterations, skew, room):
-    """Run a batch of iterations in place, `skew` of them at a time; room: memory for it. The rest: `advance_planes`.
+def advance_bands(planes, shape, run, edges, bands, stamp, offsets, seed, iteration, iterations, rooms, notes):
+    """Run a batch of iterations in place, as `advance_planes` does.
 
-    Iterations are skewed: a band runs through several of them while it is in the cache, each one band further up than
-    the one before, since what happens in a band depends on that band and the one below, an iteration earlier.
+    rooms: see `rooms_for`. notes: zeros; where the planes begin, see `run_rows`, and for each band whether its lasting
+    seams are open. Iterations are skewed: a band runs through several of them while it is in the cache, each one band
+    further up than the one before, since what happens in a band depends on that band and the one below, an iteration
+    earlier.
     """
     length, rows, stride, band_rows = shape
     top, bottom = edges
     quiet, changed = bands
-    room_here, room_above, at, opened = room
+    opened = 4 * len(run[1])
+    skew = max(1, IN_CACHE // (opened * band_rows * stride))
     stream = seed_stream(seed)
     for start in range(0, iterations, skew):
         depth = min(skew, iterations - start)
@@ -145,15 +143,16 @@ def advance_bands(planes, shape, run, edges, bands, stamp, offsets, seed, iterat
                 key = iteration_key(stream, iteration + np.uint64(t))
                 row = band * band_rows
                 here = min(band_rows, rows - row - (0 if bottom else y))
-                if x and not opened[band]:
+                if x and not notes[opened + band]:
                     open_lasting_seams(run, planes, length, stride, row, min(band_rows + 1, rows - row))
-                    opened[band] = True
-                upper, lower, number, own, told = row, row + y, row, room_here, 0
+                    notes[opened + band] = True
+                upper, lower, number, room, told = row, row + y, row, 0, 0
                 for _ in range(2 if top and y and band == 0 else 1):  # a loop: to compile the work twice takes longer
                     if here > 0:
-                        told |= run_rows(run, planes, length, stride, y, x, upper, lower, here, number, key, own, at)
+                        own = rooms[room]
+                        told |= run_rows(run, planes, length, stride, y, x, upper, lower, here, number, key, own, notes)
                     # then the row of blocks that is half above the lattice
-                    upper, lower, number, own, here = rows, 0, -1, room_above, 1
+                    upper, lower, number, room, here = rows, 0, -1, 1, 1
                 if told:
                     quiet[band] = 0
                     changed[band] = stamp

@@ -73,13 +73,14 @@ class _ReadyKernel:
         return reader(self._types)
 
     def __call__(self, packed):
-        room = ctypes.create_string_buffer(self._reading.size) if self._reading.size else None
+        size = self._reading.size
+        room = ctypes.create_string_buffer(size) if size else None
         status = self._code.call(packed, room)
         if status == 1:
             raise MemoryError("there is no memory for a kernel to work in")
         if status:
             raise ArithmeticError("a kernel compiled by numba has raised an exception")
-        if room is None:
+        if not size:
             return None
         results = self._reading.unpack(room)
         return results if self._is_tuple else results[0]
