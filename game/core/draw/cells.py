@@ -84,33 +84,28 @@ class CellPass:
 
 
 @gate
-def _spread(room, words, looks):
-    """Write the looks of a row to `looks`, the code of two neighbours in a uint16, from the bytes in `room`."""
-    for lane in range(looks.size // words):  # so many that the compiler does not unroll it
+def _colours_of_row(room, words, shades, pairs, colours):
+    """Look up the colours of every two neighbours of a row at once, by the bytes in `room` and by their shades."""
+    for lane in range(BITS):
         place, row, first = np.uint64(8 * (lane >> 3)), lane & 7, lane * words
-        for word in range(words):
-            looks[first + word] = np.uint16((room[row, word] >> place) & _BYTE)
         if len(room) > 16:
             for word in range(words):
-                looks[first + word] |= np.uint16(((room[8 + row, word] >> place) & _BYTE) << _UPPER)
+                looks = (room[row, word] >> place) & _BYTE | ((room[8 + row, word] >> place) & _BYTE) << _UPPER
+                colours[first + word] = pairs[looks | np.uint64(shades[first + word])]
+        else:
+            for word in range(words):
+                looks = (room[row, word] >> place) & _BYTE
+                colours[first + word] = pairs[looks | np.uint64(shades[first + word])]
 
 
 @gate
-def _colours_of_row(looks, shades, pairs, colours):
-    """Look up the colours of every two neighbours of a row at once."""
-    for k in range(looks.size):
-        colours[k] = pairs[np.uint64(looks[k] | shades[k])]
-
-
-@gate
-def _cells_of_row(planes, looked, decor, stride, words, y, shades, pairs, samples, trail, blends, looks, colours):
+def _cells_of_row(planes, looked, decor, stride, words, y, shades, pairs, samples, trail, blends, colours):
     """Write the colours of lattice row y, those of two neighbours a word, to (64·words,) uint64."""
     address, places, at, nothing, outside, sides, room = looked
     find_row(places, y, stride, len(sides) >> 1, nothing, at)
     find_sides(planes, y, stride, words, outside, sides)
     call_words(address, at, 0, words)
-    _spread(room, words, looks)
-    _colours_of_row(looks, shades[y % TEXTURE], pairs, colours)
+    _colours_of_row(room, words, shades[y % TEXTURE], pairs, colours)
     if samples.shape[0]:
         spaces, cells = room[len(room) - 3 : len(room) - 1], colours.view(np.uint32)
         blend_row(spaces, decor, trail, samples, stride, words, y, shades[y % TEXTURE], blends, cells)
@@ -147,7 +142,6 @@ def draw_cells(
     ends: int32, the last lattice row of each pixel row, where a pixel may hold two by two cells, which it then mixes;
     elsewhere none. Then columns of those that hold two are 128·words more than the first of them.
     """
-    looks = np.empty(BITS * words, np.uint16)
     mean, at_means, colours = mixing
     cells = colours.reshape(-1).view(np.uint32)
     width = len(columns)
@@ -162,7 +156,7 @@ def draw_cells(
         for k in range(2 if two else 1):  # a loop, since to compile the row's work twice takes seconds
             here = y if k == 0 else ends[i]
             to = colours[2 * k]
-            _cells_of_row(planes, looked, decor, stride, words, here, shades, pairs, samples, trail, blends, looks, to)
+            _cells_of_row(planes, looked, decor, stride, words, here, shades, pairs, samples, trail, blends, to)
         if two:
             call_words(mean, at_means, 0, BITS * words)
         if len(ends):
