@@ -144,8 +144,6 @@ class Painter:
         drawn = _merged(spans)
         for top, bottom in drawn:
             draw_rows(partial(self._draw_part, world, pixels), top, bottom, self.view.seen[2] - self.view.seen[0])
-            if self._firelight:
-                self._firelight.draw(pixels, top, bottom)
         return drawn
 
     def differs(self, world):
@@ -213,6 +211,8 @@ class Painter:
             streams = self._samples, trail, paints.blends
             cells = self._pass(CellPass, colours, part)
             cells.draw(*what, rows, ends, self._shades, paints.pairs, *streams, pixels, top, left)
+        if self._firelight:
+            self._firelight.draw(pixels, top, bottom)
 
     def _pass(self, kind, colours, part):
         """Return the CellPass or CountPass of worlds with or without colours, for a part of the rows."""
