@@ -5,7 +5,6 @@ sand's time goes, and `loops` the many others. What numba makes is a function in
 the arguments, and LLVM makes one piece of machine code of both.
 """
 
-import gc
 import sys
 from contextlib import contextmanager
 from importlib import import_module
@@ -102,17 +101,14 @@ class _Codegen(JITCPUCodegen):
 
 @contextmanager
 def _ir_alone():
-    """Keep numba from making more than IR, and Python from looking for garbage meanwhile."""
-    context, collects = cpu_target.target_context, gc.isenabled()
+    """Keep numba from making more than IR."""
+    context = cpu_target.target_context
     with global_compiler_lock:
         usual, context._internal_codegen = context.codegen(), _Codegen("sandglass")
-        gc.disable()
         try:
             yield
         finally:
             context._internal_codegen = usual
-            if collects:
-                gc.enable()
 
 
 def _type_of(value):
