@@ -30,6 +30,7 @@ def _digest():
     digest = hashlib.sha256()
     for source in sorted(Path(__file__).parent.rglob("*.py")):
         digest.update(source.name.encode() + b"\0" + source.read_bytes() + b"\0")
+    # a version of numba goes with one of llvmlite, which is at hand without importing numba
     versions = (platform.python_version(), platform.machine(), llvmlite.__version__, np.__version__)
     digest.update("\0".join(versions).encode())
     return digest.hexdigest()[:20]
