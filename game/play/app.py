@@ -52,8 +52,10 @@ class App:
     def _hear(self, events, now_s, mouse_pos):
         """Give events to what lies on top first, then to the cursor, the panel, the keys and the sand."""
         left = self.parts.cursor.handle_events(self._left_by_cards(events, now_s, mouse_pos))
-        if self._seen and self.parts.display.panel_shown and not self.parts.display.page:
-            left = self.parts.panel.lay_out(left, now_s, mouse_pos)
+        if self.parts.display.page:
+            mouse_pos = None
+        if self._seen and self.parts.display.panel_shown and self.parts.display.in_sight:
+            left = self._left_by_panel(left, now_s, mouse_pos)
         for event in left:
             self.parts.event_router.handle_event(event)
         for event in events:
@@ -75,6 +77,13 @@ class App:
                 events = card.handle_events(events, now_s, mouse_pos)
         return events
 
+    def _left_by_panel(self, events, now_s, mouse_pos):
+        """Return the events that the panel leaves to others: behind a page it hears none."""
+        if self.parts.display.page:
+            self.parts.panel.lay_out([], now_s, None)
+            return events
+        return self.parts.panel.lay_out(events, now_s, mouse_pos)
+
     def _let_go_of_hidden(self):
         """Let go of what is held when what hears it has changed, since what comes up is no longer heard."""
         hears = self.parts.display.page, self.parts.display.panel_shown, self.parts.window.fullscreen
@@ -93,7 +102,7 @@ class App:
     def _frame(self, now_s):
         """Return the Frame to be shown."""
         session, display = self.parts.sessions.now, self.parts.display
-        if not display.page:
+        if display.in_sight:
             self.parts.block_overlay.prepare()
             self.parts.differences.prepare(now_s)
         said = (
@@ -113,7 +122,7 @@ class App:
             )
         if layout.board.height:
             strips[tuple(layout.board)] = self.parts.stage.drawing(display.theme, layout.board)
-        if display.panel_shown and not display.page:
+        if display.panel_shown and display.in_sight:
             rect, strokes = self.parts.panel.drawing()
             strips[tuple(rect)] = strokes
         cards = (

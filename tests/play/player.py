@@ -64,6 +64,10 @@ class Player:
     def release(self, code, mod=0):
         self.frame(pygame.event.Event(pygame.KEYUP, key=code, mod=mod))
 
+    def resize(self, size):
+        pygame.display.set_mode(size, pygame.RESIZABLE, 32)
+        self.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+
     def drop(self, path):
         self.frame(pygame.event.Event(pygame.DROPFILE, file=str(path)))
         self.settle()

@@ -316,12 +316,12 @@ def test_nothing_of_the_outline_stays_behind(glass):
 def test_the_help_page_leaves_no_trace(glass):
     glass.session.paused = True
     glass.wait(2)
-    before = pygame.surfarray.array2d(glass.parts.window.surface)
+    before = pygame.surfarray.array2d(glass.parts.window.front)
     glass.key(pygame.K_F1)
-    assert (pygame.surfarray.array2d(glass.parts.window.surface) != before).any()
+    assert (pygame.surfarray.array2d(glass.parts.window.front) != before).any()
     glass.key(pygame.K_F1)
     area = glass.parts.display.layout.sand
-    after = pygame.surfarray.array2d(glass.parts.window.surface)
+    after = pygame.surfarray.array2d(glass.parts.window.front)
     assert (after[: area.width, : area.height] == before[: area.width, : area.height]).all()
 
 

@@ -23,7 +23,9 @@ POINTING = pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION, pyg
 
 
 class GalleryPage:
-    """The page, which fills the window while it is open."""
+    """The page."""
+
+    fills_window = True
 
     def __init__(self, display, sessions, files, stamps, background, notices):
         self._display, self._notices = display, notices

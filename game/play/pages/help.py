@@ -21,25 +21,25 @@ SMALLER = 0.93  # from one size of text that is tried to the next
 SMALLEST = 0.8  # of the size asked for: what is not whole on the screen in this size is scrolled
 WHEEL = 3  # lines for a notch
 HINTS = "Wheel, arrows and Page keys scroll    F1 closes", "Wheel scrolls    F1 closes", "F1 closes"
-SHADE = 150  # of what lies behind the page: 0 is black, 255 as it is
 
 
 class HelpPage:
-    """The page, which fills the window while it is open. The sand goes on behind it."""
+    """The page, over the window while it is open. The sand goes on behind it."""
+
+    fills_window = False
 
     def __init__(self, display):
         self._display = display
         self.shown = False
-        self._page = None  # the Page, once it is laid out
+        self._page = self._made_for = None  # the Page, once it is laid out, and the theme and size that it is for
         self._top = 0  # the first line that shows
-        self._drawn = None  # the size of the window, and the line at the top
+        self._drawn = None  # the line that was drawn at the top
 
     def toggle(self):
         """Open the page, or close it."""
         self.shown = not self.shown
         self._top, self._drawn = 0, None
-        if not self.shown:
-            self._display.lay_out_anew()
+        self._display.lay_out_anew()
 
     def forget(self):
         """Draw everything next time."""
@@ -72,21 +72,20 @@ class HelpPage:
             self._top = min(max(self._top + lines, 0), self._page.more)
 
     def draw(self, surface):
-        """Draw the page if that was not done yet at this size; return the rects that changed."""
-        size = surface.get_size()
-        if (size, self._top) == self._drawn:
-            return []
-        if not self._drawn or size != self._drawn[0]:
-            self._page = lay_out(self._display.theme, pygame.Rect((0, 0), size))
+        """Draw the page where it looks different; return the rects that changed."""
+        made_for = self._display.theme, surface.get_size()
+        if made_for != self._made_for:
+            self._made_for, self._drawn = made_for, None
+            self._page = lay_out(self._display.theme, surface.get_rect())
             self._scroll(0)
-            surface.fill((SHADE,) * 3, special_flags=pygame.BLEND_MULT)
-        self._drawn = size, self._top
-        page = self._page
+        if self._top == self._drawn:
+            return []
+        self._drawn, page = self._top, self._page
         draw_list.draw(surface, page.theme, [*page.frame, *page.thumb(self._top)])
         surface.set_clip(page.room)
         draw_list.draw(surface, page.theme, page.rows, (0, -self._top * page.line))
         surface.set_clip(None)
-        return [pygame.Rect((0, 0), size)]
+        return [surface.get_rect()]
 
 
 class Page(NamedTuple):

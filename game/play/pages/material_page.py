@@ -16,7 +16,6 @@ AROUND = 12
 CELL_BOX = 25  # of a block in a picture
 PICTURE = 78  # from the left edge to the words
 CHANCE = 74  # at the right edge
-SHADE = 150  # of what lies behind the page: 0 is black, 255 as it is
 ALONE = "Nothing changes it, and it changes nothing: it only moves."
 STILL = "Nothing changes it, and it changes nothing."
 NUMBERS = "How likely each is in a block of 2×2 cells where it can happen:"
@@ -25,6 +24,8 @@ NUMBERS = "How likely each is in a block of 2×2 cells where it can happen:"
 class MaterialPage:
     """The page, over the window while it is open. The sand goes on behind it."""
 
+    fills_window = False
+
     def __init__(self, display, sessions, changes, brush):
         self._display, self._sessions, self._brush = display, sessions, brush
         self._sliders = ChanceSliders(sessions, changes)
@@ -32,20 +33,19 @@ class MaterialPage:
         self._ui = None
         self._rect = pygame.Rect(0, 0, 0, 0)
         self._height = None, 0  # what the greatest height of a page is of, and the height
-        self._shaded = False
+        self._drawn = False  # the box around the controls
 
     def toggle(self):
         """Open the page of the brush's material, or close it."""
-        self.shown, self._shaded = not self.shown, False
+        self.shown = not self.shown
+        self._display.lay_out_anew()
         if self.shown:
             self._ui = Ui(self._display.theme)
             self._hear([], self._display.now_s, None)  # it may be drawn before it hears of anything
-        else:
-            self._display.lay_out_anew()
 
     def forget(self):
         """Draw everything next time."""
-        self._shaded = False
+        self._drawn = False
 
     def handle_events(self, events, now_s, mouse_pos):
         """Take what is meant for the page; Esc and a click beside it close it."""
@@ -76,13 +76,11 @@ class MaterialPage:
     def draw(self, surface):
         """Draw the page where it looks different; return the rects that changed."""
         self._place()
-        if not self._shaded:
-            surface.fill((SHADE,) * 3, special_flags=pygame.BLEND_MULT)
+        if not self._drawn:
             draw_box(surface, self._display.theme, self._rect)
             self._ui.invalidate()
-        drawn, whole = self._ui.end(surface), not self._shaded
-        self._shaded = True
-        return [surface.get_rect()] if whole else [self._rect] if drawn else []
+        self._drawn = True
+        return [self._rect] if self._ui.end(surface) else []
 
     def _place(self):
         """Stand in the middle of the window, as high as the page of any material needs to be."""
@@ -91,7 +89,8 @@ class MaterialPage:
         rect = pygame.Rect(0, 0, wide, min(self._tallest(wide), size[1] - 2 * px(AROUND)))
         rect.center = size[0] // 2, size[1] // 2
         if rect != self._rect:
-            self._rect, self._shaded = rect, False
+            self._rect = rect
+            self._display.lay_out_anew()
 
     def _tallest(self, wide):
         """Return the pixels that the page of the material with the most to say takes."""

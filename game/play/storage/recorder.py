@@ -54,7 +54,7 @@ class Recorder:
 
     def shoot_window(self):
         """Save a picture of the window as it is."""
-        surface = self._display.window.surface.copy()
+        surface = self._display.window.front.copy()
         self._save_picture(partial(image_of, surface))
 
     def shoot_sand(self):

@@ -65,7 +65,7 @@ class Display:
         self.panel_shown = True
         self.on_stage = False  # everything is large, and small print is away
         self.plots_shown = self.legend_shown = self.density_shown = self.figures_shown = False
-        self.pages = ()  # what takes the place of everything else in the window while it is open
+        self.pages = ()  # what lies over everything else in the window while it is open
         self.now_s = 0.0  # when this frame is
         self.stale = False  # the view of the sand has to be drawn anew
         self._session = None  # whose worlds the view shows
@@ -81,6 +81,11 @@ class Display:
     def page(self):
         """The page that is open, or None."""
         return next((each for each in self.pages if each.shown), None)
+
+    @property
+    def in_sight(self):
+        """Whether sand and panel are seen, if only behind a page."""
+        return not (self.page and self.page.fills_window)
 
     @property
     def room(self):
@@ -106,6 +111,7 @@ class Display:
         self._looks, self._shape, self._worlds = looks, shape, len(session.sessions)
         self._renew_theme()
         self.layout = self._lay_out(self.panel_shown)
+        self.window.covered = self.page is not None and self.in_sight
         self.window.surface.fill(self.colours.ground)
         if session is not self._session:
             self._session = session

@@ -8,12 +8,14 @@ from game.play.ui import draw_list
 from game.play.view.overlays.outlines import fixture_marks, tilt_marks
 from game.world.sessions.session import Session
 
+SHADE = 150  # of what lies behind a page: 0 is black, 255 as it is
+
 
 class Frame(NamedTuple):
     """What a window shows."""
 
     now_s: float
-    page: object  # what takes the place of everything else, or None
+    page: object  # what lies over everything else, or None
     session: Session
     passing: bool  # its moment is passed too quickly to be worth a look
     marks: tuple  # of the tools
@@ -39,10 +41,21 @@ class Renderer:
 
     def draw(self, frame):
         """Draw what differs from the Frame on the window; return the rects that changed."""
-        surface, theme, layout = self._display.window.surface, self._display.theme, self._display.layout
-        if frame.page:
-            return frame.page.draw(surface)
-        rects = self._draw_sand(frame)
+        window, rects = self._display.window, []
+        if self._display.in_sight:
+            rects = self._draw_sand(frame) + self._draw_beside(frame)
+        if not frame.page:
+            return rects
+        if rects:
+            window.front.blit(window.surface, (0, 0))
+            window.front.fill((SHADE,) * 3, special_flags=pygame.BLEND_MULT)
+            frame.page.forget()
+        drawn = frame.page.draw(window.front)
+        return [window.front.get_rect()] if rects else drawn
+
+    def _draw_beside(self, frame):
+        """Draw what differs beside the sand."""
+        surface, theme, rects = self._display.window.surface, self._display.theme, []
         for rect, strokes in frame.strips.items():
             if strokes != self._strips.get(rect):
                 draw_list.draw(surface, theme, strokes)
@@ -50,7 +63,7 @@ class Renderer:
         self._strips = frame.strips
         rects += frame.plots.draw(surface)
         if frame.controls and frame.controls.end(surface):
-            rects.append(layout.panel)
+            rects.append(self._display.layout.panel)
         return rects
 
     def _draw_sand(self, frame):

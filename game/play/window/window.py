@@ -35,7 +35,8 @@ class Window:
 
         Raises NoDisplayError if there is no display.
         """
-        self._title, self._larger = TITLE, None
+        self._title, self._aside = TITLE, None
+        self.covered = False  # by what is drawn on `front`, over what is drawn on `surface`
         self._pointer = self._left = None  # where pointer and window were on the desktop before the last switch
         self._since_s = 0.0  # when that was
         try:
@@ -53,16 +54,21 @@ class Window:
         """The window's pixels, as pygame draws on them.
 
         Where the window is smaller than LEAST_SURFACE, or its pixels have other than 32 bits, they are a surface that
-        is copied to it, so that all parts have room and can draw.
+        is copied to it, so that all parts have room and can draw. Where it is covered, they are a surface behind it.
         """
         shown = pygame.display.get_surface()
         size = tuple(max(sides) for sides in zip(shown.get_size(), LEAST_SURFACE, strict=True))
-        if size == shown.get_size() and shown.get_bytesize() == 4:
-            self._larger = None
+        if not self.covered and size == shown.get_size() and shown.get_bytesize() == 4:
+            self._aside = None
             return shown
-        if self._larger is None or self._larger.get_size() != size:
-            self._larger = pygame.Surface(size, 0, 32)
-        return self._larger
+        if self._aside is None or self._aside.get_size() != size:
+            self._aside = pygame.Surface(size, 0, 32)
+        return self._aside
+
+    @property
+    def front(self):
+        """The pixels that are seen: those of the window itself while it is covered."""
+        return pygame.display.get_surface() if self.covered else self.surface
 
     @property
     def size(self):
@@ -121,8 +127,8 @@ class Window:
 
     def show(self, rects=None):
         """Show what was drawn in `rects`, or everywhere, on the screen."""
-        if self._larger and rects != []:
-            pygame.display.get_surface().blit(self._larger, (0, 0))
+        if self._aside and not self.covered and rects != []:
+            pygame.display.get_surface().blit(self._aside, (0, 0))
             rects = None
         if rects is None:
             pygame.display.flip()

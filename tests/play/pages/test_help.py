@@ -58,7 +58,7 @@ def test_wheel_and_keys_scroll_to_the_last_line_and_back():
     def lines_up():
         """Return by how many lines the rows have gone up."""
         _, first, text, *_ = laid.rows[0]
-        return (first.y - next(rect.y for rect, word, _ in player.written() if word == text)) / laid.line
+        return (first.y - [rect.y for rect, word, _ in player.written() if word == text][-1]) / laid.line
 
     for code, lines in ((pygame.K_DOWN, 1), (pygame.K_END, laid.more), (pygame.K_HOME, 0)):
         player.key(code)
@@ -66,7 +66,8 @@ def test_wheel_and_keys_scroll_to_the_last_line_and_back():
     for _ in range(50):
         player.frame(pygame.event.Event(pygame.MOUSEWHEEL, y=-1, x=0))
     assert lines_up() == laid.more and player.parts.help.shown and player.session.now > at
-    player.wait(1)
+    player.hold_time()
+    player.wait(30)
     assert not player.frame()
     pygame.display.quit()
 

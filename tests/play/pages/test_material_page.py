@@ -35,8 +35,7 @@ def test_the_swatch_in_hand_pressed_again_shows_what_it_does_and_esc_goes_back(p
 @pytest.mark.parametrize("size", [(640, 480), (1280, 720)])
 def test_every_reaction_is_written_whole(player, size, scale):
     player.parts.settings.override("ui_scale", scale)
-    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
-    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    player.resize(size)
     player.parts.material_page.toggle()
     words = " ".join(player.words().split())
     assert "With lava becomes stone and steam" in words and "water quenches lava" in words
@@ -106,8 +105,7 @@ def test_every_chance_of_what_changes_a_material_is_turned_on_the_page_of_one(pl
 
 def test_the_page_is_no_higher_than_the_longest_and_stays_where_it_is_from_one_to_the_next(player):
     size = 1600, 1200
-    pygame.display.set_mode(size, pygame.RESIZABLE, 32)
-    player.frame(pygame.event.Event(pygame.WINDOWSIZECHANGED, x=size[0], y=size[1]))
+    player.resize(size)
     player.parts.material_page.toggle()
     rects, ends = set(), []
     for name in player.parts.brush.materials[:-1]:
@@ -120,10 +118,10 @@ def test_the_page_is_no_higher_than_the_longest_and_stays_where_it_is_from_one_t
 
 
 def test_the_sand_goes_back_to_what_it_was_when_the_page_is_closed(player):
-    before = pygame.surfarray.array2d(player.parts.window.surface).copy()
+    before = pygame.surfarray.array2d(player.parts.window.front).copy()
     player.parts.material_page.toggle()
     player.wait(2)
-    assert (pygame.surfarray.array2d(player.parts.window.surface) != before).any()
+    assert (pygame.surfarray.array2d(player.parts.window.front) != before).any()
     player.parts.material_page.toggle()
     player.wait(2)
-    assert (pygame.surfarray.array2d(player.parts.window.surface) == before).all()
+    assert (pygame.surfarray.array2d(player.parts.window.front) == before).all()
