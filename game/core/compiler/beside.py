@@ -20,9 +20,9 @@ SHORT_S = 0.0001  # … while passes are made: a frame gives it away and wants i
 _ROOT = Path(__file__).parents[3]  # the folder that `game` lies in
 _CODE = """
 import os, pickle, sys
-if hasattr(os, "nice"):
+act, arguments, is_urgent = pickle.load(sys.stdin.buffer)
+if hasattr(os, "nice") and not is_urgent:
     os.nice(10)  # it gives way to whatever else runs
-act, arguments = pickle.load(sys.stdin.buffer)
 act(*arguments)
 """
 
@@ -56,10 +56,11 @@ class Call:
         return pickle.loads(self._pickled)(*arguments)
 
 
-def run_beside(act, *arguments):
+def run_beside(act, *arguments, is_urgent=False):
     """Call act(*arguments) in a process of its own, and wait for its end; nobody hears what it returns or raises.
 
-    Both can be pickled. Raises OSError where there can be no such process, or nothing is kept.
+    Both can be pickled. is_urgent: it does not give way to whatever else runs. Raises OSError where there can be no
+    such process, or nothing is kept.
     """
     folder = jit.folder()
     if folder is None or not Path(sys.executable or "").stem.lower().startswith(
@@ -68,7 +69,7 @@ def run_beside(act, *arguments):
         raise OSError("no process beside this one would do any good")
     path = os.pathsep.join(filter(None, [str(_ROOT), os.environ.get("PYTHONPATH")]))
     with tempfile.TemporaryFile() as handed:
-        pickle.dump((act, arguments), handed)
+        pickle.dump((act, arguments, is_urgent), handed)
         handed.seek(0)
         subprocess.run(
             [sys.executable, "-c", _CODE],

@@ -57,7 +57,7 @@ def make_stepping_beside():
     """
     if not jit.is_kept(advance_bands):
         with suppress(OSError):
-            run_beside(_step)
+            run_beside(_step, is_urgent=True)
 
 
 def moving_steps(rule, coloured=False, fixtures=()):

@@ -1,5 +1,6 @@
 """Work in a process beside this one is done there, and trouble with it is no trouble here."""
 
+import os
 import sys
 from dataclasses import replace
 from pathlib import Path
@@ -19,6 +20,10 @@ def own_cache(tmp_path, monkeypatch):
     monkeypatch.setattr(jit, "_FOLDER", tmp_path / jit.cache_folder().name)
 
 
+def note_niceness(path):
+    path.write_text(str(os.nice(0)))
+
+
 def test_what_is_called_is_done_by_another_process(tmp_path):
     run_beside(Path.write_text, tmp_path / "note", "done")
     assert (tmp_path / "note").read_text() == "done"
@@ -27,6 +32,14 @@ def test_what_is_called_is_done_by_another_process(tmp_path):
 def test_what_it_keeps_is_found_here():
     run_beside(jit.kept, "a key", list)
     assert jit.kept("a key", None) == []
+
+
+@pytest.mark.skipif(not hasattr(os, "nice"), reason="this system knows no niceness")
+def test_what_is_not_urgent_gives_way(tmp_path):
+    for is_urgent in (True, False):
+        run_beside(note_niceness, tmp_path / str(is_urgent), is_urgent=is_urgent)
+    assert int((tmp_path / "True").read_text()) == os.nice(0)
+    assert int((tmp_path / "False").read_text()) == min(os.nice(0) + 10, 19)
 
 
 def test_a_call_that_fails_is_only_over(tmp_path, capfd):

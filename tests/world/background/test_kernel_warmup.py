@@ -56,7 +56,7 @@ def test_no_kernel_is_compiled_inside_a_frame():
 def test_the_stepping_is_compiled_by_another_process_and_found_by_this_one(tmp_path, monkeypatch):
     monkeypatch.setattr(jit, "_FOLDER", tmp_path / jit.folder().name)
     kernel_warmup.make_stepping_beside()
-    monkeypatch.setattr(kernel_warmup, "run_beside", lambda *_: pytest.fail("it is made already"))
+    monkeypatch.setattr(kernel_warmup, "run_beside", lambda *_, **__: pytest.fail("it is made already"))
     kernel_warmup.make_stepping_beside()
     stepping = jit.numba_kernel(step.advance_bands.function)
     stepping._compiler = lambda *_: pytest.fail("it is compiled again")
