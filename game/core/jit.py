@@ -25,6 +25,9 @@ MOST_KEPT = 256  # passes of rules that are kept: some 10 to 300 KB each
 FOLDERS_KEPT = 3  # caches of older sources and versions beside the current one; fewer means compiling after a switch
 
 
+_COST = "compiling costs time, nothing else"
+
+
 def _digest():
     """Return a short hex digest of the kernel sources and of the versions that compile them."""
     digest = hashlib.sha256()
@@ -82,16 +85,16 @@ def folder():
 
 
 _kernels = []
-_troubles = []  # what was wrong with the cache in this run, in words
+_troubles = []  # what went wrong in this run, in words
 
 
-def _note(path, doing, error):
-    reason = getattr(error, "strerror", None) or str(error) or type(error).__name__
-    _troubles.append(f"{path}: {doing}: {reason.lower()}; compiling costs time, nothing else".replace("\n", " "))
+def _note(what, doing, error, cost):
+    reason = (getattr(error, "strerror", None) or str(error) or type(error).__name__).partition("\n")[0]
+    _troubles.append(f"{what}: {doing}: {reason.lower()}; {cost}")
 
 
 def trouble():
-    """Return in one line what was wrong with the cache so far in this run, or None."""
+    """Return in one line what went wrong with the cache or with numba so far in this run, or None."""
     return _troubles[0] if _troubles else None
 
 
@@ -122,6 +125,9 @@ def _compile_by_numba(function, types):
         from game.core import numba_jit  # here, since that takes 0.3 s, and most runs find the machine code
 
         return numba_jit.compile_kernel(function, types)
+    except Exception as error:  # a numba that is made otherwise inside than those it was tried with
+        _note(function.__name__, "numba cannot compile it", error, "it is compiled without numba")
+        return compile_kernel(function, types)
     finally:
         if collects:
             gc.enable()
@@ -160,7 +166,7 @@ def read(key, load, start="", kind="rule"):
     except FileNotFoundError:
         return None
     except Exception as error:  # whatever pickle and LLVM trip over
-        _note(path, f"cannot read a compiled {kind}", error)
+        _note(path, f"cannot read a compiled {kind}", error, _COST)
         return None
 
 
@@ -172,7 +178,7 @@ def keep(key, dump, start="", kind="rule"):
             write_sealed(path, dump())
             _drop_oldest(path.parent)
     except Exception as error:  # a full disk, or what cannot be pickled
-        _note(path, f"cannot keep a compiled {kind}", error)
+        _note(path, f"cannot keep a compiled {kind}", error, _COST)
 
 
 def _path(key, start, kind):

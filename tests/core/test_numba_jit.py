@@ -76,6 +76,18 @@ def test_an_exception_in_a_kernel_is_raised():
         jit.numba_kernel(skip)(np.zeros(3, np.int64), 0)
 
 
+def test_what_numba_cannot_compile_is_compiled_without_it_and_told_in_a_line(monkeypatch):
+    def fail(function, types):
+        raise AttributeError("no such thing\nas a codegen")
+
+    monkeypatch.setattr("game.core.numba_jit.compile_kernel", fail)
+    values = np.zeros(5, np.int64)
+    jit.numba_kernel(skip)(values, 2)
+    assert values.tolist() == [1, 0, 1, 0, 1]
+    assert jit.trouble() == "skip: numba cannot compile it: no such thing; it is compiled without numba"
+    assert gc.isenabled()
+
+
 def test_numba_works_for_others_as_before():
     def smaller(a, b):
         if a < 0:
@@ -100,5 +112,5 @@ def test_both_compilers_make_the_same_of_the_stepping(name, monkeypatch):
         worlds.append(World.from_materials(cells, rule, 4))
         for iterations in (1, 7, 40):
             advance(worlds[-1], rule, iterations)
-    assert worlds[0].digest() == worlds[1].digest()
+    assert worlds[0].digest() == worlds[1].digest() and jit.trouble() is None
     assert (worlds[0].activity.quiet == worlds[1].activity.quiet).all()
