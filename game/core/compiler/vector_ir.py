@@ -205,7 +205,7 @@ class _Pass(IrText):
 
     def _draw(self, number, layer, sure, undecided, blocks, own):
         """Write the loop that draws for the undecided blocks."""
-        before, loop, done = self.block, f"draw{number}", f"drawn{number}"
+        before, loop, again, done = self.block, f"draw{number}", f"undrawn{number}", f"drawn{number}"
         starts = {"place": self._origin(number * LAYER_STEP)}
         for level, (yes, rest) in enumerate(zip(sure, undecided, strict=True)):
             starts |= {f"yes{level}": yes, f"rest{level}": rest}
@@ -214,22 +214,28 @@ class _Pass(IrText):
         masks = self.new(f"getelementptr i64, ptr %chances, i64 {first}")
         self.line(f"br i1 {self.any_bit(self.any_of(undecided))}, label %{loop}, label %{done}")
         self.start(loop)
-        self.line(f"%n{number} = phi i64 [0, %{before}], [%n{number}_next, %{loop}]")
+        self.line(f"%n{number} = phi i64 [0, %{before}], [%n{number}_next, %{again}]")
         ends = {name: f"%{name}_{number}_next" for name in starts}
         values = {
-            name: self.meeting(f"%{name}_{number}", [(value, before), (ends[name], loop)])
+            name: self.meeting(f"%{name}_{number}", [(value, before), (ends[name], again)])
             for name, value in starts.items()
         }
         row = self.new(f"getelementptr i64, ptr {masks}, i64 {self.new(f'mul i64 %n{number}, {len(blocks)}')}")
         for name, value in self._compared(values, row, blocks, own).items():
             self.line(f"{ends[name]} = or {self.kind} {value}, zeroinitializer")
         self.line(f"%n{number}_next = add i64 %n{number}, {UNROLL}")
-        some = self.any_bit(self.any_of([end for name, end in ends.items() if name.startswith("rest")]))
+        # First whether draws are left, which is foretold right where few are needed, then whether any matters.
         more = self.new(f"icmp ult i64 %n{number}_next, {draws}")
-        self.line(f"br i1 {self.new(f'and i1 {some}, {more}')}, label %{loop}, label %{done}")
+        self.line(f"br i1 {more}, label %{again}, label %{done}")
+        self.start(again)
+        some = self.any_bit(self.any_of([end for name, end in ends.items() if name.startswith("rest")]))
+        self.line(f"br i1 {some}, label %{loop}, label %{done}")
         self.start(done)
         return [
-            self.meeting(f"%accepted{level}_{number}", [(yes, before), (ends[f"yes{level}"], loop)])
+            self.meeting(
+                f"%accepted{level}_{number}",
+                [(yes, before), *((ends[f"yes{level}"], block) for block in (loop, again))],
+            )
             for level, yes in enumerate(sure)
         ]
 
