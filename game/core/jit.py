@@ -98,24 +98,33 @@ def trouble():
     return _troubles[0] if _troubles else None
 
 
-def kernel(function, compiler=compile_kernel):
-    """Compile `function` when first called, and keep the machine code between runs; it runs without the lock.
-
-    compiler: see `Kernel`.
-    """
-    name, by = function.__name__, compiler.__name__
-
-    def keep(key, make):
-        return kept(f"{by} {key} {machine()} {features()}", make, f"{name}-", "kernel")
-
-    made = Kernel(function, keep, compiler)
-    _kernels.append(made)
-    return made
+def kernel(function):
+    """Compile `function` when first called, and keep the machine code between runs; it runs without the lock."""
+    return _known(Kernel(function, lambda key, types: _kept_code(compile_kernel, function, key, types)))
 
 
 def numba_kernel(function):
     """Do what `kernel` does, but by numba; `function` returns nothing."""
-    return kernel(function, _compile_by_numba)
+
+    def code(key, types):
+        try:
+            return _kept_code(_compile_by_numba, function, key, types)
+        except Exception as error:  # a numba that is made otherwise inside than those it was tried with
+            _note(function.__name__, "numba cannot compile it", error, "it is compiled without numba")
+            return _kept_code(compile_kernel, function, key, types)
+
+    return _known(Kernel(function, code))
+
+
+def _known(kernel):
+    _kernels.append(kernel)
+    return kernel
+
+
+def _kept_code(compiler, function, key, types):
+    """Return what a compiler makes of a function, or made of it before."""
+    by = f"{compiler.__name__} {key} {machine()} {features()}"
+    return kept(by, lambda: compiler(function, types), f"{function.__name__}-", "kernel")
 
 
 def _compile_by_numba(function, types):
@@ -125,9 +134,6 @@ def _compile_by_numba(function, types):
         from game.core import numba_jit  # here, since that takes 0.3 s, and most runs find the machine code
 
         return numba_jit.compile_kernel(function, types)
-    except Exception as error:  # a numba that is made otherwise inside than those it was tried with
-        _note(function.__name__, "numba cannot compile it", error, "it is compiled without numba")
-        return compile_kernel(function, types)
     finally:
         if collects:
             gc.enable()

@@ -16,12 +16,12 @@ NAME = "sandglass_kernel"
 class Kernel:
     """A function that runs as machine code, without the interpreter's lock.
 
-    keep: `keep(key, make)` returns what make() does, or did before for the same key, a text. compiler: does what
-    `compile_kernel` does.
+    code: `code(key, types)` returns what `compile_kernel` does for the function and some types; of both the key, a
+    text, tells all.
     """
 
-    def __init__(self, function, keep, compiler):
-        self.function, self._keep, self._compiler = function, keep, compiler
+    def __init__(self, function, code):
+        self.function, self._code = function, code
         self.__doc__, self.__name__ = function.__doc__, function.__name__
         self._ready, self._latest, self._lock = {}, None, threading.Lock()
 
@@ -43,11 +43,10 @@ class Kernel:
         return [signature.as_text(types) for types in list(self._ready)]
 
     def _make(self, types):
-        function, compiler = self.function, self._compiler
-        key = f"{function.__module__}.{function.__qualname__} {signature.as_text(types)}"
+        key = f"{self.function.__module__}.{self.function.__qualname__} {signature.as_text(types)}"
         with self._lock:
             if types not in self._ready:
-                self._ready[types] = _ReadyKernel(types, *self._keep(key, lambda: compiler(function, types)))
+                self._ready[types] = _ReadyKernel(types, *self._code(key, types))
         return self._ready[types]
 
 

@@ -28,7 +28,7 @@ class Pair(NamedTuple):
 
 def kernel_of(function):
     """Return a kernel that is compiled in this test."""
-    return Kernel(function, lambda key, make: make(), compile_kernel)
+    return Kernel(function, lambda key, types: compile_kernel(function, types))
 
 
 @gate
@@ -262,7 +262,7 @@ def test_threads_that_call_at_once_compile_once():
     def total(a, b):
         return a + b
 
-    kernel = Kernel(total, lambda key, make: made.append(key) or make(), compile_kernel)
+    kernel = Kernel(total, lambda key, types: made.append(key) or compile_kernel(total, types))
     threads = [threading.Thread(target=kernel, args=(1, 2)) for _ in range(8)]
     for each in threads:
         each.start()

@@ -53,13 +53,20 @@ def test_no_kernel_is_compiled_inside_a_frame():
     subprocess.run([sys.executable, "-c", SCRIPT], check=True, timeout=600)
 
 
+def not_again(*_):
+    pytest.fail("it is compiled again")
+
+
+not_again.__name__ = jit._compile_by_numba.__name__
+
+
 def test_the_stepping_is_compiled_by_another_process_and_found_by_this_one(tmp_path, monkeypatch):
     monkeypatch.setattr(jit, "_FOLDER", tmp_path / jit.folder().name)
     kernel_warmup.make_stepping_beside()
     monkeypatch.setattr(kernel_warmup, "run_beside", lambda *_, **__: pytest.fail("it is made already"))
     kernel_warmup.make_stepping_beside()
     stepping = jit.numba_kernel(step.advance_bands.function)
-    stepping._compiler = lambda *_: pytest.fail("it is compiled again")
+    monkeypatch.setattr(jit, "_compile_by_numba", not_again)
     monkeypatch.setattr(step, "advance_bands", stepping)
     advance(World.from_cells(*np.zeros((2, 66, 2), bool)), Rule.with_p(0.5), 1)
 
