@@ -17,9 +17,9 @@ from game.core import jit
 USUAL_S = sys.getswitchinterval()  # for which a thread keeps the interpreter while another waits for it
 SHORT_S = 0.0001  # … while passes are made: a frame gives it away and wants it back some ten times
 
-_ROOT = Path(__file__).parents[3]  # the folder that `game` lies in
 _CODE = """
 import os, pickle, sys
+sys.path = pickle.load(sys.stdin.buffer)  # modules are found where the other process finds them
 act, arguments, is_urgent = pickle.load(sys.stdin.buffer)
 if hasattr(os, "nice") and not is_urgent:
     os.nice(10)  # it gives way to whatever else runs
@@ -67,16 +67,16 @@ def run_beside(act, *arguments, is_urgent=False):
         "python"
     ):  # but a program that has it built in
         raise OSError("no process beside this one would do any good")
-    path = os.pathsep.join(filter(None, [str(_ROOT), os.environ.get("PYTHONPATH")]))
     with tempfile.TemporaryFile() as handed:
+        pickle.dump(sys.path, handed)
         pickle.dump((act, arguments, is_urgent), handed)
         handed.seek(0)
         subprocess.run(
-            [sys.executable, "-c", _CODE],
+            [sys.executable, "-P", "-c", _CODE],  # -P: not in the current folder, whatever lies there
             check=False,
             stdin=handed,
             stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL,
-            env=os.environ | {"PYTHONPATH": path, "SANDGLASS_CACHE_DIR": str(folder.parent)},
+            env=os.environ | {"SANDGLASS_CACHE_DIR": str(folder.parent)},
             creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
         )

@@ -29,6 +29,21 @@ def test_what_is_called_is_done_by_another_process(tmp_path):
     assert (tmp_path / "note").read_text() == "done"
 
 
+def test_modules_are_found_as_here_and_not_in_the_current_folder(tmp_path, monkeypatch):
+    for name in ("game", "pickle", "numpy"):
+        (tmp_path / f"{name}.py").write_text("raise SystemExit")
+    elsewhere = tmp_path / f"a{os.pathsep}b"
+    elsewhere.mkdir()
+    (elsewhere / "only_here.py").write_text("def act(path):\n    path.touch()\n")
+    monkeypatch.syspath_prepend(elsewhere)
+    monkeypatch.chdir(tmp_path)
+    from only_here import act
+
+    run_beside(act, tmp_path / "note")
+    run_beside(jit.kept, "a key", list)
+    assert (tmp_path / "note").exists() and jit.kept("a key", None) == []
+
+
 def test_what_it_keeps_is_found_here():
     run_beside(jit.kept, "a key", list)
     assert jit.kept("a key", None) == []
