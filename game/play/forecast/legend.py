@@ -74,12 +74,14 @@ def scale_card(theme, rect, title, lines, stale=False):
     px, line = theme.px, theme.line_height(look.SMALL)
     card = rect.inflate(-2 * px(AWAY), -2 * px(AWAY))
     head = 2 * px(PAD) + px(TITLE) + px(BAR) + line + px(GAP)
+    lines = [row for text in lines for row in theme.lines(text, look.SMALL, card.width - 2 * px(PAD))]
     lines = lines[: max(0, (card.height - head) // line)]
     card.height = min(card.height, head + len(lines) * line)
     row = card.inflate(-2 * px(PAD), -2 * px(PAD))
     row.height = px(TITLE)
     strokes = box_strokes(theme, card, rect)
-    strokes.append((draw_list.words, tuple(row), title, look.HEADING, look.HANDLE, 0))
+    size = look.HEADING if theme.width(title, look.HEADING) <= row.width else look.SMALL
+    strokes.append((draw_list.words, tuple(row), title, size, look.HANDLE, 0))
     if stale:
         strokes.append((draw_list.words, tuple(row), "stale", look.BODY, look.BRIGHT_ACCENT, 1))
     row.y, row.height = row.bottom, px(BAR)

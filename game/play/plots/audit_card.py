@@ -2,7 +2,7 @@
 
 A row is a sum: start + painted - erased + poured - swallowed = now. A column of zeros is left out. Where there is too
 little room for that, one column tells what came and one what went; then large numbers are rounded; and in the end only
-the grains that are there now are shown, with as many rows beside each other as it takes.
+the grains that are there now are shown, with as many rows beside each other as it takes, or the sums alone.
 """
 
 import math
@@ -58,9 +58,9 @@ def card(theme, rect, account, counted, swatches):
         head = (room.x, rect.y + theme.px(charts.PAD // 2), room.width, theme.px(charts.HEAD))
         said = f"but {grains:,} are there" if grains != account.expected else "but in other colours"
         strokes.append((draw_list.words, head, said, look.SMALL, look.ACCENT, 1))
-    if not account.mixed:
+    table = _fitting(theme, room, account) if account.mixed else None
+    if table is None:
         return strokes + _sums(theme, room, account, len(account.lines))
-    table = _fitting(theme, room, account)
     if table.sums:
         strokes += _sums(theme, room, account, table.lines(account))
     return strokes + _rows(theme, room, account, table, swatches)
@@ -107,13 +107,13 @@ def _sums(theme, room, account, lines):
 
 
 def _fitting(theme, room, account):
-    """Return the fullest AuditTable that fits the room, or the smallest there is."""
+    """Return the fullest AuditTable that fits the room, or None."""
     high = _least_line(theme)
     for (sums, across, columns), spell in product(LAYOUTS, (_exact, _rounded)):
         table = AuditTable(sums, across, tuple(columns(account)), spell)
         if table.lines(account) * high <= room.height and _is_wide_enough(theme, room, table):
             return table
-    return table
+    return None
 
 
 def _is_wide_enough(theme, room, table):

@@ -27,18 +27,44 @@ def hill(surface, theme, rect, spans, colour):
         surface.fill(theme.rgb(colour), (rect[0] + x, rect[1] + top, 1, bottom - top))
 
 
-def card(theme, rect, title, value):
-    """Return (strokes, the rect left for the chart) of a card with a title and what it says now."""
+def card(theme, rect, title, value, short=None):
+    """Return (strokes, the rect left for the chart) of a card with a title and what it says now.
+
+    short: the title where there is no room for the other beside the value.
+    """
     px = theme.px
     room = rect.inflate(-2 * px(PAD), -2 * px(PAD // 2))
     head = pygame.Rect(room.x, room.y, room.width, px(HEAD))
     left = pygame.Rect(head.x, head.y, max(0, head.width - theme.width(f"{value} ", look.SMALL)), head.height)
+    if short and theme.width(title, look.SMALL) > left.width:
+        title = short
     strokes = [
         (draw_list.box, tuple(rect), look.GROUND, px(4)),
         (draw_list.words, tuple(left), title, look.SMALL, look.DIM, 0),
         (draw_list.words, tuple(head), value, look.SMALL, look.TEXT, 1),
     ]
-    return strokes, pygame.Rect(room.x, head.bottom + px(2), room.width, room.bottom - head.bottom - px(4))
+    return strokes, room_in(theme, rect)
+
+
+def room_in(theme, rect):
+    """Return the rect that the head of a card leaves for the chart."""
+    px = theme.px
+    room = rect.inflate(-2 * px(PAD), -2 * px(PAD // 2))
+    return pygame.Rect(room.x, room.y + px(HEAD) + px(2), room.width, room.height - px(HEAD) - px(4))
+
+
+def part(shown, number):
+    """Return what a card says where it has no room for all that it would show."""
+    return f"{shown} of {number}" if shown < number else ""
+
+
+def lines(theme, rect, text):
+    """Return the strokes of a text in as many lines as it takes."""
+    high, rows = theme.line_height(look.SMALL), theme.lines(text, look.SMALL, rect.width)
+    return [
+        (draw_list.words, (rect.x, rect.y + number * high, rect.width, high), row, look.SMALL, look.DIM, 0)
+        for number, row in enumerate(rows)
+    ]
 
 
 def round_up(number):

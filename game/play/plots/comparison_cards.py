@@ -38,7 +38,7 @@ def comparison_card(theme, rect, quantity, measured, colours):
     known = [number for numbers in series.values() for number in numbers if not math.isnan(number)]
     strokes, room = charts.card(theme, rect, quantity.title, quantity.unit)
     now = {name: _last(numbers, quantity.spell) for name, numbers in series.items()}
-    names, room = _names(theme, room, [(name, now[name], colours[name]) for name in series])
+    names, room, _ = _names(theme, room, [(name, now[name], colours[name]) for name in series])
     nows = {name: [sample.now for sample in each.samples] for name, each in measured.items()}
     room, foot = charts.with_foot(theme, room, sorted({now for each in nows.values() for now in each}))
     low, high = -charts.round_up(-min([0.0, *known])), charts.round_up(max([0.1, *known]))

@@ -10,6 +10,7 @@ SWATCH = 9  # pixels at scale 1
 ENTRY = 104  # the least width of a name with its number
 MOST_LEGEND = 0.5  # of the card's height, that names may take
 BOOKS = "to the cell"
+NO_BOOKS = "This rule names no sum that it keeps."
 
 
 def amounts_card(theme, rect, samples, names, colours):
@@ -23,8 +24,9 @@ def amounts_card(theme, rect, samples, names, colours):
     }
     series = {name: each for name, each in series.items() if any(each[0])}
     order = sorted(series, key=lambda name: -series[name][0][-1])
-    strokes, room = charts.card(theme, rect, "Cells of each material", "")
-    names_of, room = legend(theme, room, [(name, f"{series[name][0][-1]:,}", series[name][1]) for name in order])
+    entries = [(name, f"{series[name][0][-1]:,}", series[name][1]) for name in order]
+    names_of, room, shown = legend(theme, charts.room_in(theme, rect), entries)
+    strokes, _ = charts.card(theme, rect, "Cells of each material", charts.part(shown, len(order)), "Cells")
     high = charts.round_up(max([1, *(max(numbers) for numbers, _ in series.values())]))
     figures, room = charts.scale(theme, room, [(high, charts.figure(high)), (0, "0")], 0, high)
     lines = [([now for now, _ in samples], *each) for each in series.values()]
@@ -32,7 +34,7 @@ def amounts_card(theme, rect, samples, names, colours):
 
 
 def legend(theme, room, entries, wide=None):
-    """Return the strokes of (name, figure, colour), as many as have room, and the rect left below them.
+    """Return the strokes of (name, figure, colour), as many as have room, the rect below them, and how many these are.
 
     wide: pixels that an entry takes at least; ENTRY if None.
     """
@@ -49,7 +51,8 @@ def legend(theme, room, entries, wide=None):
         words.width -= theme.width(f" {figure}", look.SMALL)
         strokes.append((draw_list.words, tuple(words), name, look.SMALL, look.DIM, 0))
     top = rows * high + px(4)
-    return strokes, pygame.Rect(room.x, room.y + top, room.width, max(1, room.height - top))
+    below = pygame.Rect(room.x, room.y + top, room.width, max(1, room.height - top))
+    return strokes, below, min(len(entries), rows * across)
 
 
 def books_card(theme, rect, account, amounts, books):
@@ -57,26 +60,30 @@ def books_card(theme, rect, account, amounts, books):
     lines = [(each, *_sum(account, each.codes), sum(amounts[code] for code in each.codes)) for each in books]
     lines = [line for line in lines if any(line[1:])] or lines  # of what is there and was
     right = all(start + came - gone + other == now for book, start, came, gone, other, now in lines if not book.but)
-    strokes, room = charts.card(theme, rect, "Conserved", BOOKS if right and lines else "" if right else "not kept")
-    high = theme.line_height(look.SMALL)
+    said, room = BOOKS if right and lines else "" if right else "not kept", charts.room_in(theme, rect)
     if not lines:
-        lines_of_text = theme.lines("This rule names no sum that it keeps.", look.SMALL, room.width)
-        return strokes + [
-            (draw_list.words, (room.x, room.y + number * high, room.width, high), text, look.SMALL, look.DIM, 0)
-            for number, text in enumerate(lines_of_text)
-        ]
-    top = room.y
+        return charts.card(theme, rect, "Conserved", said)[0] + charts.lines(theme, room, NO_BOOKS)
+    strokes, shown, left = [], 0, room
     for book, *numbers in lines:
-        words = _fitting(theme, _words(book), room.width)
-        spelt = _fitting(theme, _spelt(*numbers, book.but), room.width)
-        one = theme.width(f"{words}  {spelt}", look.SMALL) <= room.width
-        if top + high * (1 if one else 2) > room.bottom:
+        entry, left = _entry(theme, left, _words(book), _spelt(*numbers, book.but))
+        if left.height < 0:
             break
-        strokes.append((draw_list.words, (room.x, top, room.width, high), words, look.SMALL, look.DIM, 0))
-        top += 0 if one else high
-        strokes.append((draw_list.words, (room.x, top, room.width, high), spelt, look.SMALL, look.TEXT, 1))
-        top += high
-    return strokes
+        strokes, shown = strokes + entry, shown + 1
+    part = charts.part(shown, len(lines))
+    title, short = (f"Conserved, {part}", f"{part} sums") if part else ("Conserved", None)
+    return charts.card(theme, rect, title, said, short)[0] + strokes
+
+
+def _entry(theme, room, words, spelt):
+    """Return the strokes of a sum at the top of `room`, its words and then its figures, and the rect left below."""
+    high = theme.line_height(look.SMALL)
+    words, spelt = _fitting(theme, words, room.width), _fitting(theme, spelt, room.width)
+    strokes = charts.lines(theme, room, words)
+    one = theme.width(f"{words}  {spelt}", look.SMALL) <= room.width
+    taken = high * (1 if one else len(strokes) + 1)
+    place = (room.x, room.y + taken - high, room.width, high)
+    strokes.append((draw_list.words, place, spelt, look.SMALL, look.TEXT, 1))
+    return strokes, pygame.Rect(room.x, room.y + taken, room.width, room.height - taken)
 
 
 def _words(book):

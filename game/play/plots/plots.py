@@ -240,8 +240,8 @@ class Plots:
         flows = self.measurements.flows()
         known = [each for each in flows if not math.isnan(each)]
         now = "" if not flows or math.isnan(flows[-1]) else f"{flows[-1]:.3g} grains/it."
-        title = self._title(rect, f"Flow at row {self.measurements.row:,}", "Flow", now)
-        strokes, room = charts.card(self._display.theme, rect, title, now)
+        title = f"Flow at row {self.measurements.row:,}"
+        strokes, room = charts.card(self._display.theme, rect, title, now, "Flow")
         strokes, room = self._named(strokes, room, "grains per iteration")
         room, foot = charts.with_foot(self._display.theme, room, self._nows())
         low = -charts.round_up(-min([0.0, *known]))
@@ -270,8 +270,7 @@ class Plots:
 
     def _frames(self, rect):
         samples, now = self.measurements.samples, _spell_ms(self.measurements.samples[-1].frame_ms)
-        title = self._title(rect, "Slowest frame", "Frame", now)
-        strokes, room = charts.card(self._display.theme, rect, title, now)
+        strokes, room = charts.card(self._display.theme, rect, "Slowest frame", now, "Frame")
         numbers, budget = [each.frame_ms for each in samples], BUDGET_NS / 1e6
         high = charts.round_up(max(2 * budget, *numbers))
         figures, room = self._scale(room, 0, high, [(budget, f"{budget:g} ms")])
@@ -298,12 +297,6 @@ class Plots:
         if not self._display.on_stage:
             return strokes, room
         return charts.with_name(self._display.theme, strokes, room, name)
-
-    def _title(self, rect, title, short, now):
-        """Return the title of a card, or the short one where there is no room for it beside what the card says now."""
-        theme = self._display.theme
-        fits = theme.width(f"{title} {now}", look.SMALL) <= rect.width - 2 * theme.px(charts.PAD)
-        return title if fits else short
 
     def _nows(self):
         return [each.now for each in self.measurements.samples]

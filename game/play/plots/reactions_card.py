@@ -7,38 +7,38 @@ from game.play.ui import draw_list
 from game.play.ui import theme as look
 
 COURSE = 0.24  # of the card's width, that a row's curve takes where it has room
-LEAST_NAME = 110  # pixels at scale 1: with less room than this the curves are left out
 STEADY = 4  # samples whose mean is told: those of about a second
-TITLE = "Reactions a second"
+TITLE, SHORT = "Reactions a second", "Reactions/s"
 NONE = "Nothing has reacted yet."
 
 
 def reactions_card(theme, rect, nows, reactions, speed):
-    """Return the strokes of the card, a row for each event, as many as have room.
+    """Return the strokes of the card, a row for each event, as many as have room; curves only beside whole names.
 
     nows: the iterations of the samples. reactions: {name of an event: how often it came about in an iteration before
     each sample}. speed: iterations per second. A row's curve reaches from 0 to its own greatest number.
     """
-    strokes, room = charts.card(theme, rect, TITLE, "")
-    high = theme.line_height(look.SMALL)
+    high, room = theme.line_height(look.SMALL), charts.room_in(theme, rect)
     if not reactions:
-        return [*strokes, (draw_list.words, (room.x, room.y, room.width, high), NONE, look.SMALL, look.DIM, 0)]
+        return charts.card(theme, rect, TITLE, "", SHORT)[0] + charts.lines(theme, room, NONE)
     lately = [numbers[1:][-STEADY:] for numbers in reactions.values()]
     figures = [figure(speed * sum(each) / max(1, len(each))) for each in lately]
     wide = max(theme.width(f" {each}", look.SMALL) for each in (*figures, "999"))
     course = int(COURSE * room.width)
-    if room.width - wide - course < theme.px(LEAST_NAME):
+    if any(theme.width(name, look.SMALL) > room.width - wide - course for name in reactions):
         course = 0
-    for number, (name, numbers) in enumerate(list(reactions.items())[: max(1, room.height // high)]):
-        row = pygame.Rect(room.x, room.y + number * high, room.width, high)
-        strokes.append((draw_list.words, tuple(row), figures[number], look.SMALL, look.TEXT, 1))
-        words = (row.x, row.y, row.width - wide - course, high)
-        strokes.append((draw_list.words, words, name, look.SMALL, look.DIM, 0))
+    strokes, shown, row = [], 0, pygame.Rect(room.x, room.y, room.width, high)
+    for (name, numbers), spelt in zip(reactions.items(), figures, strict=True):
+        words = charts.lines(theme, pygame.Rect(row.x, row.y, row.width - wide - course, high), name)
+        if shown and row.y + len(words) * high > room.bottom:
+            break
+        strokes += [*words, (draw_list.words, tuple(row), spelt, look.SMALL, look.TEXT, 1)]
         if course:
-            curve = pygame.Rect(words[0] + words[2] + theme.px(2), row.y + 2, course - theme.px(4), high - 4)
+            curve = pygame.Rect(row.right - wide - course + theme.px(2), row.y + 2, course - theme.px(4), high - 4)
             most = max(numbers[1:], default=0)
             strokes += charts.curves(curve, [(nows, numbers, look.ACCENT)], 0, most or 1)
-    return strokes
+        shown, row = shown + 1, row.move(0, len(words) * high)
+    return charts.card(theme, rect, TITLE, charts.part(shown, len(reactions)), SHORT)[0] + strokes
 
 
 def figure(number):

@@ -15,9 +15,9 @@ TITLE = 26  # height of a title at scale 1
 PAD = 8  # in a title, beside and between its words
 STRIPE = 4  # in the colour of a world, at the left of its title
 GAP = 3  # between panes, so that zoomed worlds are not read as one
-FORMS = (  # of a title, from the fullest: size of its name, words of its count
-    *((look.HEADING, 3), (look.HEADING, 2), (look.HEADING, 1), (look.SMALL, 1)),
-    *((look.HEADING, 0), (look.SMALL, 0)),
+FORMS = (  # of a title, from the fullest: size of its name, words of its count, whether "p =" stands before a number
+    *((look.HEADING, 3, True), (look.HEADING, 2, True), (look.HEADING, 1, True), (look.SMALL, 1, True)),
+    *((look.HEADING, 0, True), (look.SMALL, 0, True), (look.SMALL, 0, False)),
 )
 LONGEST = "888,888 cells differ"  # of what stands beside a name
 DRAWING_NS = 6_000_000  # of a frame; worlds that are left when it is spent are drawn in the next one, before others
@@ -192,8 +192,9 @@ class ComparisonView:
         theme, titles = self._theme, self.titles()
         room = min(rect.width for rect in self._titles.values()) - self._beside_words()
         width = _width if self._rows == 1 else _wider
-        for size, number in FORMS:
-            written = {each: (name, size, _first(left, number)) for each, (name, left) in titles.items()}
+        for size, number, whole in FORMS:
+            names = {each: name if whole else name.rpartition("= ")[2] for each, (name, _) in titles.items()}
+            written = {each: (names[each], size, _first(left, number)) for each, (_, left) in titles.items()}
             if all(width(theme, *each) <= room for each in written.values()):
                 break
         return written

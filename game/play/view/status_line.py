@@ -77,7 +77,8 @@ class StatusLine:
         """Return as much of the line as there is room for."""
         if self._written is None:
             return GAP.join(first)
-        lines = [GAP.join(each) for each in ([*first, pace, self._grains], [*first, pace], first) if each]
+        short = pace.partition(":")[0]
+        lines = [GAP.join(each) for each in ([*first, pace, self._grains], [*first, pace], first or [short]) if each]
         return next((line for line in lines if theme.width(line, look.SMALL) <= room), lines[-1])
 
 

@@ -102,6 +102,15 @@ def test_too_high_a_speed_is_said_plainly_with_what_is_reached(glass):
     assert FULL in " ".join(glass.parts.stats_card.lines)
 
 
+def test_a_line_that_has_no_room_for_the_reason_says_the_pace_whole(glass):
+    glass.parts.sessions.load("fountain")
+    glass.session.clock.speed = 1_000_000
+    glass.parts.settings.override("ui_scale", 2.0)
+    glass.resize((640, 480))
+    glass.wait(30)
+    assert line(glass)[0].endswith(" of 1,000,000 iterations a second")
+
+
 def test_iterations_left_out_by_a_busy_machine_are_no_alarm(glass, monkeypatch):
     run = glass.session.timeline.run
     glass.parts.settings["smooth_streams"] = False
