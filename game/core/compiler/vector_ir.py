@@ -9,8 +9,8 @@ Returned are two bits: 1 if there was an event, or could have been one, 2 if an 
 
 The pass takes `lanes` words at a time; `may` and `origin` go up to a whole vector, and what is read beyond `size` is
 written back as it was. A layer without an event in all those blocks is left early. Else random words are drawn until
-no outcome is undecided; then what changes is stored. Where all that happens is certain nothing is left early: what
-changes takes less time than a branch that was foretold wrongly.
+no outcome is undecided; then what changes is stored. Where all that happens is certain, and nothing goes with it,
+nothing is left early: to store what changes takes less time than a branch that was foretold wrongly.
 """
 
 from itertools import pairwise
@@ -123,8 +123,7 @@ class _Pass(IrText):
             self.start("lively")
         eventful = [number for number, layer in enumerate(self.plan.layers) if layer.event != FALSE]
         for number in eventful:
-            is_certain = eventful == [number] and self.plan.layers[number].sure == [self.plan.layers[number].event]
-            layer = self._certain_layer if is_certain else self._layer
+            layer = self._certain_layer if self._is_quick(eventful) else self._layer
             stirred, moved, free = layer(number, stirred, moved, free)
         self.line("br label %again")
         ways.append((stirred, moved, self.block))
@@ -138,6 +137,11 @@ class _Pass(IrText):
         bits = [self.new(f"zext i1 {self.any_bit(each)} to i64") for each in ("%stirred_then", "%moved_then")]
         twice = self.new(f"shl i64 {bits[1]}, 1")
         self.line(f"ret i64 {self.new(f'or i64 {bits[0]}, {twice}')}")
+
+    def _is_quick(self, eventful):
+        """Return whether all that happens is certain, in one layer, and takes nothing with it."""
+        layers = [self.plan.layers[number] for number in eventful]
+        return len(layers) == 1 and layers[0].sure == [layers[0].event] and not self.payload
 
     def _stream(self, corner, number):
         return self.streams[corner * (self.plan.bits + self.payload) + number]
