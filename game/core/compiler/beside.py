@@ -7,7 +7,6 @@ import os
 import pickle
 import subprocess
 import sys
-import tempfile
 from contextlib import contextmanager
 from pathlib import Path
 from threading import Lock
@@ -18,9 +17,15 @@ USUAL_S = sys.getswitchinterval()  # for which a thread keeps the interpreter wh
 SHORT_S = 0.0001  # … while passes are made: a frame gives it away and wants it back some ten times
 
 _CODE = """
-import os, pickle, sys
+import os, pickle, sys, threading
+
+def end_with_the_other():
+    os.read(0, 1)  # nothing comes any more, until its end of the pipe is closed
+    os._exit(1)
+
 sys.path = pickle.load(sys.stdin.buffer)  # modules are found where the other process finds them
 act, arguments, is_urgent = pickle.load(sys.stdin.buffer)
+threading.Thread(target=end_with_the_other, daemon=True).start()
 if hasattr(os, "nice") and not is_urgent:
     os.nice(10)  # it gives way to whatever else runs
 act(*arguments)
@@ -59,24 +64,23 @@ class Call:
 def run_beside(act, *arguments, is_urgent=False):
     """Call act(*arguments) in a process of its own, and wait for its end; nobody hears what it returns or raises.
 
-    Both can be pickled. is_urgent: it does not give way to whatever else runs. Raises OSError where there can be no
-    such process, or nothing is kept.
+    Both can be pickled. is_urgent: it does not give way to whatever else runs. It ends with this process. Raises
+    OSError where there can be no such process, or nothing is kept.
     """
     folder = jit.folder()
     if folder is None or not Path(sys.executable or "").stem.lower().startswith(
         "python"
     ):  # but a program that has it built in
         raise OSError("no process beside this one would do any good")
-    with tempfile.TemporaryFile() as handed:
-        pickle.dump(sys.path, handed)
-        pickle.dump((act, arguments, is_urgent), handed)
-        handed.seek(0)
-        subprocess.run(
-            [sys.executable, "-P", "-c", _CODE],  # -P: not in the current folder, whatever lies there
-            check=False,
-            stdin=handed,
-            stdout=subprocess.DEVNULL,
-            stderr=subprocess.DEVNULL,
-            env=os.environ | {"SANDGLASS_CACHE_DIR": str(folder.parent)},
-            creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
-        )
+    handed = pickle.dumps(sys.path) + pickle.dumps((act, arguments, is_urgent))
+    with subprocess.Popen(
+        [sys.executable, "-P", "-c", _CODE],  # -P: not in the current folder, whatever lies there
+        stdin=subprocess.PIPE,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+        env=os.environ | {"SANDGLASS_CACHE_DIR": str(folder.parent)},
+        creationflags=getattr(subprocess, "CREATE_NO_WINDOW", 0),
+    ) as process:
+        process.stdin.write(handed)
+        process.stdin.flush()
+        process.wait()

@@ -1,7 +1,9 @@
 """Work in a process beside this one is done there, and trouble with it is no trouble here."""
 
 import os
+import subprocess
 import sys
+import time
 from dataclasses import replace
 from pathlib import Path
 
@@ -22,6 +24,40 @@ def own_cache(tmp_path, monkeypatch):
 
 def note_niceness(path):
     path.write_text(str(os.nice(0)))
+
+
+def beat(path):
+    for _ in range(6000):
+        with path.open("a") as beats:
+            beats.write("x")
+        time.sleep(0.01)
+
+
+def beats_in(path, wait_s):
+    time.sleep(wait_s)
+    return path.stat().st_size if path.exists() else 0
+
+
+def test_a_process_ends_with_the_one_that_waits_for_it(tmp_path):
+    beats = tmp_path / "beats"
+    script = f"""
+from pathlib import Path
+from game.core.compiler.beside import run_beside
+from {beat.__module__} import beat
+run_beside(beat, Path({str(beats)!r}))
+"""
+    environment = os.environ | {"PYTHONPATH": os.pathsep.join(filter(None, sys.path))}
+    with subprocess.Popen([sys.executable, "-c", script], env=environment) as waiting:
+        deadline_s = time.monotonic() + 60
+        while not beats_in(beats, 0.01) and time.monotonic() < deadline_s:
+            pass
+        waiting.kill()
+    assert any(beats_in(beats, 0) == beats_in(beats, 1) > 0 for _ in range(20))
+
+
+def test_more_than_a_pipe_holds_is_handed_over(tmp_path):
+    run_beside(Path.write_text, tmp_path / "note", "done" * 2**18)
+    assert (tmp_path / "note").stat().st_size == 2**20
 
 
 def test_what_is_called_is_done_by_another_process(tmp_path):
