@@ -195,7 +195,7 @@ class Parts:
         self.renderer = Renderer(display)
         self.cards = self.name_card, self.canvas_card, self.photo_import, self.dialog  # the first lies on top
         self.overlays = [self.glow, self.block_card, self.ruler, self.minimap, *self.cards[::-1]]
-        hints = Hints(self.settings, sessions, display, notices)
+        hints = Hints(self.settings, sessions, display, notices, self.material_page)
         room_hint = RoomHint(sessions, display, notices)
         self.watchers = [self.recorder, self.settings_saver, self.camera.badge, self.stats_card, self.hiss]
         self.watchers += [hints, room_hint]

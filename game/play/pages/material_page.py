@@ -19,6 +19,7 @@ CHANCE = 74  # at the right edge
 ALONE = "Nothing changes it, and it changes nothing: it only moves."
 STILL = "Nothing changes it, and it changes nothing."
 NUMBERS = "How likely each is in a block of 2×2 cells where it can happen:"
+FIXED = f"{NUMBERS[:-1]}. What has no slider is fixed in the rule's file:"
 
 
 class MaterialPage:
@@ -128,11 +129,10 @@ class MaterialPage:
             self._brush.material = names[chosen]
         code = rule.codes.told.index(name)
         ui.text(behaviour(told, code), dim=True)
-        found = reactions(rule, code)
+        found = [(each, _dial(told, each)) for each in reactions(rule, code)]
         if found:
-            ui.text(NUMBERS, dim=True)
-        for each in found:
-            dial = _dial(told, each)
+            ui.text(NUMBERS if all(dial for _, dial in found) else FIXED, dim=True)
+        for each, dial in found:
             if dial:
                 self._sliders.show(ui, dial, _sentence(each.words), each.picture)
             else:

@@ -70,7 +70,7 @@ def books_card(theme, rect, account, amounts, books):
             break
         strokes, shown = strokes + entry, shown + 1
     part = charts.part(shown, len(lines))
-    title, short = (f"Conserved, {part}", f"{part} sums") if part else ("Conserved", None)
+    title, short = (f"Conserved ({part} shown)", f"{part} sums") if part else ("Conserved", None)
     return charts.card(theme, rect, title, said, short)[0] + strokes
 
 

@@ -31,7 +31,8 @@ HINTS = (
 class Hints:
     """Looks for the moment of those hints that are still to be shown."""
 
-    def __init__(self, settings, sessions, display, notices):
+    def __init__(self, settings, sessions, display, notices, material_page):
+        self._material_page = material_page
         self._settings, self._sessions, self._display, self._notices = settings, sessions, display, notices
         self._start_s = self._still_since_s = self._last_s = None
         self._before = None, None  # the timeline and its line at the last look
@@ -63,12 +64,14 @@ class Hints:
             self._still_since_s = now_s
 
     def _done(self):
-        """Return the name of the hint that an act since the last look made needless, or None.
+        """Return the name of the hint that an act since the last look made needless, or the page that is open, or None.
 
         What was done already in a session that has just been opened, such as a replay, is not the player's doing.
         """
         timeline = self._sessions.now.timeline
         before, self._before = self._before, (timeline, timeline.history.line)
+        if self._material_page.shown:
+            return "material"
         if before[0] is not timeline or before[1] is timeline.history.line:
             return None
         match timeline.history.line.action:

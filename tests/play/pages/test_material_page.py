@@ -83,6 +83,14 @@ def test_a_chance_is_read_whole_however_small_it_is(player, scale):
         player.parts.material_page.toggle()
 
 
+def test_where_some_chances_have_no_slider_the_page_says_why(player):
+    for name, some in (("lava", True), ("sand", False)):
+        player.parts.brush.material = name
+        player.parts.material_page.toggle()
+        assert ("What has no slider is fixed" in " ".join(player.words().split())) == some
+        player.parts.material_page.toggle()
+
+
 def _last(written):
     rect, text, size = written
     return rect, size, text

@@ -84,6 +84,15 @@ def test_no_hint_is_shown_behind_a_page(glass, code):
     assert said(glass, 2) == [PAINT]
 
 
+def test_who_has_seen_the_page_of_a_material_is_not_told_of_it():
+    player = Player("kitchen")
+    player.parts.material_page.toggle()
+    player.frame()
+    assert player.parts.settings["hints_seen"] == ("material",)
+    player.parts.close()
+    pygame.display.quit()
+
+
 def test_hints_keep_their_distance(glass):
     glass.parts.settings["hints_seen"] = ("flip",)
     glass.frame(elapsed_ns=0)
