@@ -1,7 +1,7 @@
 """Rows of a picture drawn by several threads at once, where there are enough of them and processors for it."""
 
 import os
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
 from functools import lru_cache
 
 THREADS = min(4, os.cpu_count() or 1)
@@ -19,8 +19,9 @@ def draw_rows(draw, top, bottom, width):
     try:
         draw(0, *edges[:2])
     finally:
-        for other in others:
-            other.result()
+        wait(others)
+    for other in others:
+        other.result()
 
 
 @lru_cache(maxsize=1)

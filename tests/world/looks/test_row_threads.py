@@ -1,6 +1,7 @@
 """Rows drawn by several threads."""
 
 import threading
+import time
 
 import pytest
 
@@ -41,10 +42,16 @@ def test_the_parts_are_drawn_at_the_same_time(three_threads):
     assert len({thread for _, _, thread in drawn(0, 30, 100, together.wait)}) == 3
 
 
-def test_an_error_in_any_part_is_raised(three_threads):
-    def fail(number, first, last):
-        if number == 2:
+@pytest.mark.parametrize("failing", [0, 1, 2])
+def test_an_error_in_any_part_is_raised_once_all_have_ended(failing, three_threads):
+    ended = []
+
+    def part(number, first, last):
+        if number == failing:
             raise ValueError("no")
+        time.sleep(0.1)
+        ended.append(number)
 
     with pytest.raises(ValueError, match="no"):
-        row_threads.draw_rows(fail, 0, 30, 100)
+        row_threads.draw_rows(part, 0, 30, 100)
+    assert len(ended) == 2
