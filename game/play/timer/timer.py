@@ -55,6 +55,7 @@ class Timer:
         self.wanted_s = float(parameters.TIMER.default)
         self.said = ""  # how accurate the end was
         self.error_s = None  # by how much the last grain was late
+        self._ended_in = None  # the scene in which the time was over
         self._began_s = None  # when it began by the clock, shifted by the pauses since
         self._frozen_s = None  # when the pause began, while it is paused
         self._pace = None
@@ -139,7 +140,12 @@ class Timer:
         return max(0, self._pace.at(gone_s) - session.now)
 
     def update(self, now_s):
-        """After a frame, leave pauses out, show the time left in the title, and end if the time is over."""
+        """After a frame, leave pauses out, show the time left in the title, and end if the time is over.
+
+        A time that is over is forgotten in another scene.
+        """
+        if self.state == OVER and self._sessions.now.scene is not self._ended_in:
+            self.stop()
         if self.state != RUNNING:
             return
         session = self._sessions.now
@@ -186,7 +192,7 @@ class Timer:
 
     def _end(self, now_s):
         gone_s = self.gone_s
-        self.state, self.error_s = OVER, gone_s - self.wanted_s
+        self.state, self.error_s, self._ended_in = OVER, gone_s - self.wanted_s, self._sessions.now.scene
         self.said = self._account(self._current(), gone_s)
         self._pace = None
         self._set_title(f"{spell(self.wanted_s)} is over – {TITLE}")

@@ -252,6 +252,15 @@ def test_an_end_that_was_not_found_in_time_is_told_as_such(waiting, monkeypatch)
     assert waiting.timer.state == OVER and "was not found in time" in waiting.timer.said
 
 
+def test_a_time_that_is_over_is_forgotten_in_another_scene_and_not_when_the_glass_rests(waiting):
+    waiting.start(2)
+    waiting.pass_time(3)
+    assert waiting.timer.state == OVER and waiting.timer.said
+    waiting.parts.sessions.load("blank")
+    waiting.wait(1)
+    assert waiting.timer.state == OFF and not waiting.timer.said and pygame.display.get_caption()[0] == "Sandglass"
+
+
 def test_the_title_counts_down(waiting):
     waiting.start(3)
     titles = []
