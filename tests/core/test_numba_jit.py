@@ -28,7 +28,7 @@ def fill(flat, rows, apart, span, grow, size):
         flat[k] += scaled(float(k), span.by) if grow else 1.0
     for y in range(rows.shape[0]):
         for x in range(rows.shape[1]):
-            rows[y, x] = rows[y, x] * size + np.uint64(y) + np.uint64(apart[x])
+            rows[y, x] = rows[y, x] * size + np.uint64(y + rows.size) + np.uint64(apart[x])
 
 
 def skip(values, stride):
@@ -92,6 +92,19 @@ def test_what_numba_cannot_compile_is_compiled_without_it_and_every_start_says_s
         words = "skip: numba cannot compile it: no such thing; it is compiled without numba"
         assert start() == words and start() == words
     assert start() is None
+
+
+@pytest.mark.parametrize("collects", [True, False])
+def test_numba_compiles_without_a_look_for_garbage_which_then_is_as_before(collects, monkeypatch):
+    seen = []
+    monkeypatch.setattr("game.core.numba_jit.compile_kernel", lambda *_: seen.append(gc.isenabled()) or (b"", ""))
+    if not collects:
+        gc.disable()
+    try:
+        jit._compile_by_numba(skip, ())
+        assert seen == [False] and gc.isenabled() == collects
+    finally:
+        gc.enable()
 
 
 def test_numba_works_for_others_as_before():

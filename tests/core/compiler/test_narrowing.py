@@ -9,6 +9,7 @@ import pytest
 from game import World, advance, load_rule
 from game.core import jit
 from game.core.compiler import dispatch, narrowing, rule_pass
+from game.core.compiler.beside import SHORT_S
 from game.core.compiler.rule_pass import pass_of
 from game.core.rule_table import corners
 from game.world.sand.ensemble import counts_at
@@ -146,14 +147,21 @@ def test_a_narrower_pass_is_made_once_the_whole_one_has_cost_as_much_as_making_i
 
 
 def test_a_narrower_pass_that_was_kept_is_taken_without_a_process(own_cache, monkeypatch, every_rule_is_large):
-    rule = load_rule("water-and-oil")
+    rule, begun = load_rule("water-and-oil"), []
     asked(rule)._make((0, 1))
-    monkeypatch.setattr(narrowing, "run_beside", lambda *_: pytest.fail("it is there"))
+    monkeypatch.setattr(narrowing, "run_beside", lambda *what: begun.append(what))
     passes = asked(rule)
     passes.tally[0b11] = 10**9
     asked(rule)
     passes.wait()
-    assert passes.known.sets[1:] == (0b11,)
+    assert passes.known.sets[1:] == (0b11,) and not begun
+
+
+def test_a_pass_that_was_kept_is_read_while_other_threads_get_the_interpreter_soon(every_rule_is_large):
+    passes, intervals = asked(load_rule("water-and-oil")), []
+    passes._kept = lambda codes: intervals.append(sys.getswitchinterval())
+    passes._take((0, 1))
+    assert intervals == [pytest.approx(SHORT_S)]
 
 
 def test_one_pass_is_made_for_sets_that_are_parts_of_it(own_cache, every_rule_is_large):

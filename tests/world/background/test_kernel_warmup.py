@@ -8,6 +8,7 @@ import pytest
 
 from game import Rule, World, advance, load_rule
 from game.core import jit, step
+from game.core.compiler.beside import run_beside
 from game.world.background import kernel_warmup
 
 SCRIPT = """
@@ -53,6 +54,11 @@ def test_no_kernel_is_compiled_inside_a_frame():
     subprocess.run([sys.executable, "-c", SCRIPT], check=True, timeout=600)
 
 
+def run_urgently(act, is_urgent):
+    assert is_urgent, "the first frame waits for it"
+    run_beside(act, is_urgent=True)
+
+
 def not_again(*_):
     pytest.fail("it is compiled again")
 
@@ -62,6 +68,7 @@ not_again.__name__ = jit._compile_by_numba.__name__
 
 def test_the_stepping_is_compiled_by_another_process_and_found_by_this_one(tmp_path, monkeypatch):
     monkeypatch.setattr(jit, "_FOLDER", tmp_path / jit.folder().name)
+    monkeypatch.setattr(kernel_warmup, "run_beside", run_urgently)
     kernel_warmup.make_stepping_beside()
     monkeypatch.setattr(kernel_warmup, "run_beside", lambda *_, **__: pytest.fail("it is made already"))
     kernel_warmup.make_stepping_beside()
@@ -69,6 +76,12 @@ def test_the_stepping_is_compiled_by_another_process_and_found_by_this_one(tmp_p
     monkeypatch.setattr(jit, "_compile_by_numba", not_again)
     monkeypatch.setattr(step, "advance_bands", stepping)
     advance(World.from_cells(*np.zeros((2, 66, 2), bool)), Rule.with_p(0.5), 1)
+
+
+@pytest.mark.parametrize("rule", kernel_warmup.KINDS.values())
+def test_sand_is_moved_last_when_the_stepping_has_had_most_time(rule):
+    (what, _) = kernel_warmup.steps(rule, "stone")[-1]
+    assert kernel_warmup.KINDS[what] is rule
 
 
 def test_where_no_other_process_can_be_the_stepping_is_left_to_this_one(tmp_path, monkeypatch):
