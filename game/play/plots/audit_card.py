@@ -60,9 +60,10 @@ def card(theme, rect, account, counted, swatches):
         strokes.append((draw_list.words, head, said, look.SMALL, look.ACCENT, 1))
     table = _fitting(theme, room, account) if account.mixed else None
     if table is None:
-        return strokes + _sums(theme, room, account, len(account.lines))
+        sums = _fitting_sums(theme, room, account)
+        return strokes + _sums(theme, room, sums, len(sums))
     if table.sums:
-        strokes += _sums(theme, room, account, table.lines(account))
+        strokes += _sums(theme, room, account.lines, table.lines(account))
     return strokes + _rows(theme, room, account, table, swatches)
 
 
@@ -94,11 +95,18 @@ def _chrome(theme):
     return 2 * theme.px(charts.PAD // 2) + theme.px(charts.HEAD) + theme.px(4)
 
 
-def _sums(theme, room, account, lines):
-    """Return the strokes of the sums, in the first of so many lines."""
+def _fitting_sums(theme, room, account):
+    """Return all sums, or those that are not zero where there is no room for all."""
+    if len(account.lines) * _least_line(theme) <= room.height:
+        return account.lines
+    return [each for each in account.lines if each[0] not in ("+", "-") or each[2]]
+
+
+def _sums(theme, room, sums, lines):
+    """Return the strokes of sums, in the first of so many lines."""
     line = min(theme.line_height(look.SMALL), room.height // lines)
     strokes = []
-    for number, (sign, word, grains) in enumerate(account.lines):
+    for number, (sign, word, grains) in enumerate(sums):
         row = (room.x, room.y + number * line, room.width, line)
         colour = look.TEXT if sign == "=" else look.DIM
         strokes.append((draw_list.words, row, f"{sign} {word}".strip(), look.SMALL, colour, 0))

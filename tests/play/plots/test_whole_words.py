@@ -6,6 +6,7 @@ import pygame
 import pytest
 
 from game.play.forecast.legend import scale_card
+from game.play.plots import audit_card
 from game.play.plots.material_cards import amounts_card, books_card
 from game.play.plots.reactions_card import reactions_card
 from game.play.ui.theme import Theme
@@ -70,3 +71,11 @@ def test_a_legend_breaks_its_lines_and_writes_its_title_whole():
     lines = ["Sand at iteration 10,102", "1,024 runs: ± 1.6 % at most"]
     written = words_of(scale_card(Theme(), pygame.Rect(0, 0, 148, 300), "Density at t = 1,647", lines))
     assert not cut(Theme(), written) and {"10,102", "most"} <= set(" ".join(text for _, text, _ in written).split())
+
+
+def test_an_audit_that_has_no_room_for_all_its_sums_leaves_those_out_that_are_zero():
+    account = GrainAccount((7, 0), (), poured_by_kind=(3, 0))
+    for height, wanted in ((400, True), (100, False)):
+        written = words_of(audit_card.card(Theme(), pygame.Rect(0, 0, 200, height), account, (10, 0), [(9, 9, 9)] * 2))
+        texts = [text for _, text, _ in written]
+        assert {"+ poured", "= now", "10"} <= set(texts) and ("+ painted" in texts) == wanted
