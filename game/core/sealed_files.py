@@ -2,6 +2,7 @@
 
 import hashlib
 import os
+import threading
 
 _SEAL = 32  # bytes of the checksum before the code
 
@@ -17,7 +18,7 @@ def read_sealed(path):
 def write_sealed(path, data):
     """Write bytes to a file in one step, and its folder if need be."""
     path.parent.mkdir(parents=True, exist_ok=True)
-    part = path.with_suffix(f".{os.getpid()}.part")
+    part = path.with_suffix(f".{os.getpid()}-{threading.get_ident()}.part")
     try:
         part.write_bytes(hashlib.sha256(data).digest() + data)
         os.replace(part, path)
