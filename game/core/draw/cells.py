@@ -63,7 +63,8 @@ class CellPass:
     """Draws cells of some Substances in rows of `words` words, in memory of its own."""
 
     def __init__(self, substances, words, decorated, depth):
-        self._made = _compiled(substances, decorated, depth)
+        # kept: the caches may forget them, and two threads may have made them twice
+        self._made, self._mean = _compiled(substances, decorated, depth), _mean_pass()
         reader = self._made.reader
         self._room, self._sides = room_for(words, self._made.writes + 1), room_for(words, 2 * reader.bits)
         places = addresses(self._room)
@@ -79,7 +80,7 @@ class CellPass:
         """Draw rows of planes as `draw_cells` does; decor: as many planes as the pass was made for, may be none."""
         places = self._made.reader.places(planes, where, decor)
         looked = self._made.code.address, places, self._at, self._nothing, self._outside, self._sides, self._room
-        mixing = _mean_pass().address, self._at_means, self._colours
+        mixing = self._mean.address, self._at_means, self._colours
         draw_cells(planes, looked, mixing, decor, where.stride, where.words, *how)
 
 

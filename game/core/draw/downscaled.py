@@ -115,7 +115,8 @@ class CountPass:
 
     def __init__(self, substances, words, decorated, depth):
         code, self._reader, sorts = _compiled(substances, decorated, depth)
-        self._codes = np.array([code.address, *(each.address for each in _sums())], np.int64)
+        self._passes = code, *_sums()  # kept: the caches may forget them, and two threads may have made them twice
+        self._codes = np.array([each.address for each in self._passes], np.int64)
         side = -(-words // LINE) * LINE + LINE  # words from even to odd columns: no vector goes on into others' words
         rows = (TOGETHER + DIGITS) * sorts + DIGITS + 1
         self._scratch = aligned(rows * 2 * side).reshape(rows, 2 * side)

@@ -90,7 +90,8 @@ def take_sample(substances, planes, sample, trail, *which):
     """
     bits, length = 4 * substances.bits, planes.shape[1]
     rows = [addresses(each).reshape(-1, PLANES) for each in (planes[:bits], trail, sample[:PLANES], trail)]
-    _take(_compiled(substances, len(trail) > 0).address, np.ascontiguousarray(np.vstack(rows).T), length, *which)
+    code = _compiled(substances, len(trail) > 0)  # kept until it has run: two threads may have made it twice
+    _take(code.address, np.ascontiguousarray(np.vstack(rows).T), length, *which)
 
 
 @kernel
