@@ -12,6 +12,7 @@ def test_sand_moves_only_once_the_stepping_was_compiled_beside(monkeypatch):
     acts = [(what, lambda what=what: done.append(what)) for what in ("drawn", "moved")]
     monkeypatch.setattr(loop, "make_stepping_beside", lambda: time.sleep(0.3) or done.append("compiled"))
     monkeypatch.setattr(loop, "steps", lambda *_: acts)
+    monkeypatch.setattr("pygame.quit", lambda: None)  # other tests go on with their fonts
     monkeypatch.setattr(loop, "_make_ready", lambda window, theme, worker: not worker.wait(20))
     loop.play(load_scene("hourglass"), Settings())
     assert done == ["drawn", "compiled", "moved"]
