@@ -82,13 +82,10 @@ def _shown(case, report):
 
 
 def _goal(case, row):
-    """Return the goal of a frame's time; sand left unmoved or another window than asked for spoil it.
-
-    One frame in a hundred may be late; as many iterations may be left out so that frames are in time.
-    """
+    """Return the goal of a frame's time; sand left unmoved or another window than asked for spoil it."""
     spoiled = ""
-    if row["iterations"] < 0.99 * case.iterations:
-        spoiled = f"{row['iterations']:.1f} of {case.iterations} iterations"
+    if row["iterations"] < case.iterations:
+        spoiled = f"{row['iterations']:.2f} of {case.iterations} iterations"
     elif row["window"] != case.window:
         spoiled = f"the window is {table.size(row['window'])}"
     scene = " with ".join(filter(None, (case.scene, " and ".join(case.shown))))

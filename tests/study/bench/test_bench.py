@@ -348,14 +348,13 @@ def test_a_goal_is_met_on_its_side_of_the_limit_and_missed_when_spoiled():
     ("report", "met"),
     [
         ({}, True),
-        ({"iterations": 793, "frames": 100}, True),
-        ({"iterations": 791, "frames": 100}, False),
+        ({"iterations": 31}, False),
         ({"window": [600, 480]}, False),
         ({"frame_ms": {"median": 3, "p99": 17}}, False),
     ],
-    ids=["in time", "one frame in a hundred spared", "sand left unmoved", "another window", "late"],
+    ids=["in time", "sand left unmoved", "another window", "late"],
 )
-def test_a_frame_meets_its_goal_in_time_with_its_iterations_in_the_window_asked_for(report, met, monkeypatch):
+def test_a_frame_meets_its_goal_in_time_with_all_its_iterations_in_the_window_asked_for(report, met, monkeypatch):
     case = replace(HOURGLASS, window=(640, 480), iterations=8, goal=True)
     monkeypatch.setattr(frames, "timing", lambda *_: in_a_window(**report))
     (row,) = frames.frame_table(replace(TINY, frame_cases=(case,))).tables[0].rows
