@@ -24,7 +24,6 @@ from game.core.sealed_files import read_sealed, write_sealed
 MOST_KEPT = 256  # passes of rules that are kept: some 10 to 300 KB each
 FOLDERS_KEPT = 3  # caches of older sources and versions beside the current one; fewer means compiling after a switch
 
-
 _COST = "compiling costs time, nothing else"
 
 

@@ -68,9 +68,8 @@ def run_beside(act, *arguments, is_urgent=False):
     OSError where there can be no such process, or nothing is kept.
     """
     folder = jit.folder()
-    if folder is None or not Path(sys.executable or "").stem.lower().startswith(
-        "python"
-    ):  # but a program that has it built in
+    is_python = Path(sys.executable or "").stem.lower().startswith("python")  # not a program that has it built in
+    if folder is None or not is_python:
         raise OSError("no process beside this one would do any good")
     handed = pickle.dumps(sys.path) + pickle.dumps((act, arguments, is_urgent))
     with subprocess.Popen(

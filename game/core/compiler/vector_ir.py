@@ -122,8 +122,8 @@ class _Pass(IrText):
             ways.append((stirred, moved, self.block))
             self.start("lively")
         eventful = [number for number, layer in enumerate(self.plan.layers) if layer.event != FALSE]
+        layer = self._certain_layer if self._is_quick(eventful) else self._layer
         for number in eventful:
-            layer = self._certain_layer if self._is_quick(eventful) else self._layer
             stirred, moved, free = layer(number, stirred, moved, free)
         self.line("br label %again")
         ways.append((stirred, moved, self.block))

@@ -8,9 +8,8 @@ import llvmlite.binding as llvm
 from game.core.compiler.machine_code import MachineCode, target_machine
 
 _VECTORISED = 3  # the level of optimisation at which loops become vectors
-_RELOCATION = (
-    "static" if llvm.get_process_triple().startswith("x86") else "default"
-)  # as code in memory has to be there
+# As code in memory has to be there.
+_RELOCATION = "static" if llvm.get_process_triple().startswith("x86") else "default"
 
 
 def compiled(text, called=""):
